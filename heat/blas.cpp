@@ -22,20 +22,21 @@ namespace {
 
 #if __has_include(<dlfcn.h>)
 
-/// A function of a library that may be there or not; talweg links none of them itself.
+/// Finds a function of a library that the process may or may not have; Talweg itself does not link
+/// the library.
 template <class Function>
 Function* find(const char* name, void* library = RTLD_DEFAULT) {
   return reinterpret_cast<Function*>(dlsym(library, name));
 }
 
-/// The file of the BLAS, and its name if it tells one.
+/// The file of the BLAS, with name and version if the BLAS is OpenBLAS.
 std::string name_of_blas() {
   Dl_info blas{};
   auto* multiply = find<void()>("dgemm_");
   if (multiply == nullptr || dladdr(reinterpret_cast<void*>(multiply), &blas) == 0) return "";
   std::error_code none;
   std::string name = std::filesystem::canonical(blas.dli_fname, none).string();
-  // LAPACK may come from another OpenBLAS than dgemm, so the library itself is asked.
+  // LAPACK may come from another OpenBLAS than dgemm, so only the library of dgemm is searched.
   void* library = dlopen(blas.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
   if (library == nullptr) return name;
   if (auto* config = find<char*()>("openblas_get_config", library)) {
@@ -56,7 +57,7 @@ std::string name_of_blas() { return ""; }
 
 #endif
 
-/// Whether the system would give so many addresses, which is no promise of memory.
+/// Whether the address space has room for so many bytes; memory for them is not guaranteed.
 bool has_addresses(std::size_t bytes) {
 #if __has_include(<sys/mman.h>)
   void* place = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -68,16 +69,18 @@ bool has_addresses(std::size_t bytes) {
   return true;
 }
 
-/// OpenBLAS as this process has it, if it has one; keeps count of the OneBlasThreads that live.
+/// The OpenBLAS of this process, if there is one, and the number of living OneBlasThread objects.
 class OpenBlas {
  public:
-  /// What a factor must hold, too: Debian 12's OpenBLAS without threads (0.3.21) has locks, and yet
-  /// triangular solves of small blocks by two threads at once go wrong (dtrsm; dtrsv does not).
+  /// A lock that a factorization must hold, too; empty where none is needed. Debian 12's OpenBLAS
+  /// without threads (0.3.21) has locks of its own, and yet triangular solves of small blocks by
+  /// two threads at once give wrong results (dtrsm; dtrsv does not).
   std::unique_lock<std::mutex> hold_alone() {
     const bool alone = parallel_ != nullptr && parallel_() == kNoThreads;
     return alone ? std::unique_lock(alone_) : std::unique_lock<std::mutex>();
   }
-  /// Waits for a place. Throws std::bad_alloc when there is no memory for the first one.
+  /// Waits for a free work area. Throws std::bad_alloc when there is no memory for the first work
+  /// area.
   void hold() {
     if (threads_ == nullptr || set_threads_ == nullptr || parallel_ == nullptr) return;
     std::unique_lock<std::mutex> lock(mutex_);
@@ -100,14 +103,15 @@ class OpenBlas {
   }
 
  private:
-  /// What openblas_get_parallel() tells. With threads of its own it has one number of them for the
-  /// whole process.
+  /// Values of openblas_get_parallel(). An OpenBLAS with threads of its own has one thread count
+  /// for the whole process.
   static constexpr int kNoThreads = 0, kOwnThreads = 1;
 
-  /// OpenBLAS waits forever for a work area that the system does not give. So as many as may be in
-  /// use at once are made here, where that can be told; OpenBLAS keeps them.
+  /// OpenBLAS waits forever if the system refuses memory for a work area. The work areas that may
+  /// be in use at once are therefore allocated here, where a refusal is detected; OpenBLAS keeps
+  /// them.
   bool add_place() {
-    constexpr std::size_t kBytes = std::size_t{160} << 20;  // 128 MiB, and room to live
+    constexpr std::size_t kBytes = std::size_t{160} << 20;  // 128 MiB and a margin
     constexpr int kMost = 16;
     const int places = places_ + 1;
     if (new_area_ != nullptr && free_area_ != nullptr && places <= kMost) {
@@ -129,18 +133,19 @@ class OpenBlas {
   std::optional<ModuleTurn> turn_;
   std::condition_variable place_free_;
   int holders_ = 0, places_ = 0;
-  int before_ = 1;  // threads, before the first holder
+  int before_ = 1;  // the thread count before the first holder
 };
 
-/// Is never destroyed: a thread may still factor while the program's other objects go.
+/// The object is never destroyed: a thread may still factor while static objects are destroyed.
 OpenBlas& open_blas() {
   alignas(OpenBlas) static std::byte place[sizeof(OpenBlas)];
   static OpenBlas& found = *new (place) OpenBlas;
   return found;
 }
 
-/// OpenMP has its numbers for each thread of the process. CHOLMOD's loops ask for four threads by
-/// themselves, so no parallel level is allowed; OpenBLAS splits its work by the number of threads.
+/// OpenMP's settings, which each thread of the process has for itself. CHOLMOD's loops request four
+/// threads explicitly, so no parallel level is allowed; OpenBLAS splits its work by the thread
+/// count.
 struct OpenMp {
   int (*threads)() = find<int()>("omp_get_max_threads");
   void (*set_threads)(int) = find<void(int)>("omp_set_num_threads");

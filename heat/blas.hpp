@@ -1,4 +1,4 @@
-// The BLAS is the library of dense matrices that CHOLMOD computes with.
+// The BLAS is the library of dense matrix operations that CHOLMOD uses.
 #pragma once
 
 #include <mutex>
@@ -6,20 +6,22 @@
 
 namespace talweg {
 
-/// Name, version and file of the BLAS of this process, as far as it tells them.
+/// Name, version and file of the BLAS of this process, as far as they are known.
 std::string blas_library();
 
 enum class BlasWork { kFactor, kSolve };
 
-/// While one lives, OpenBLAS and OpenMP use one thread for calls from the thread that made it: so
-/// sums do not depend on the number of cores, and threads are the caller's to choose. The last one
-/// puts the process's numbers back, unless somebody else has changed them meanwhile. Other threads'
-/// calls of the same OpenBLAS are slower as long, and nothing else. Other libraries (MKL, BLIS)
-/// keep their threads. A thread must not make a second one while it has one.
+/// While a OneBlasThread lives, OpenBLAS and OpenMP use one thread for calls from the thread that
+/// constructed it. Sums therefore do not depend on the number of cores, and the caller decides how
+/// many threads run. The last OneBlasThread restores the thread counts of the process, unless other
+/// code has changed them meanwhile. Calls of the same OpenBLAS from other threads are slower during
+/// this time, but otherwise unaffected. Other libraries (MKL, BLIS) keep their threads. A thread
+/// must not construct a second OneBlasThread while it has one.
 class OneBlasThread {
  public:
-  /// Waits for others to go where OpenBLAS has no memory for one more, and for other factors where
-  /// it was built without threads. Throws std::bad_alloc when it has no memory at all.
+  /// Waits for the end of another OneBlasThread where OpenBLAS has no memory for one more, and for
+  /// other factorizations where OpenBLAS was built without threads. Throws std::bad_alloc when
+  /// there is no memory for the first one.
   explicit OneBlasThread(BlasWork work);
   ~OneBlasThread();
   OneBlasThread(const OneBlasThread&) = delete;
@@ -27,7 +29,7 @@ class OneBlasThread {
 
  private:
   std::unique_lock<std::mutex> alone_;
-  int openmp_threads_ = 1, openmp_levels_ = 0;  // of this thread; what is put back
+  int openmp_threads_ = 1, openmp_levels_ = 0;  // of this thread, to be restored
 };
 
 }  // namespace talweg

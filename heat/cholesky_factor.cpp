@@ -16,7 +16,8 @@
 namespace talweg {
 namespace {
 
-/// CHOLMOD's settings and workspace, silent. One per call, so that calls share nothing.
+/// CHOLMOD's settings and workspace, without printing. Each call has its own, so calls share
+/// nothing.
 class Workspace {
  public:
   Workspace() {
@@ -37,7 +38,7 @@ class Workspace {
   [[nodiscard]] bool full() const {
     return common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE;
   }
-  /// An error in words where the last call failed.
+  /// Throws an Error if the last call of CHOLMOD failed; `what` names the step.
   void check(const char* what) const {
     if (common_.status >= CHOLMOD_OK) return;
     const std::string failed = std::string(what) + " failed: ";
@@ -69,7 +70,7 @@ struct Free {
 
 using DensePtr = std::unique_ptr<cholmod_dense, Free>;
 
-/// Views of our arrays. CHOLMOD never writes to a matrix or a right-hand side.
+/// CHOLMOD's view of a matrix or a right-hand side, to which CHOLMOD never writes.
 cholmod_sparse view(const SymmetricMatrix& matrix, int values) {
   cholmod_sparse sparse{};
   sparse.nrow = sparse.ncol = matrix.size();
@@ -96,7 +97,8 @@ cholmod_dense view(const std::vector<double>& vector) {
   return dense;
 }
 
-/// What `task` returns, on one thread, with an error of ours when memory runs out.
+/// Runs `task` on one BLAS thread and returns its result. Throws Error(kOutOfMemory) when memory
+/// runs out.
 template <class Task>
 auto on_one_thread(BlasWork work, const char* what, Task&& task) {
   try {
@@ -191,7 +193,7 @@ std::vector<double> CholeskyFactor::solve(const std::vector<double>& b) const {
   Workspace work;
   cholmod_dense right = view(b);
   return on_one_thread(BlasWork::kSolve, "Solving", [&] {
-    // Not Bset: it would turn the factor, which other threads use, into a simplicial one.
+    // Bset stays null: it would convert the factor, which other threads use, into a simplicial one.
     cholmod_dense *solution = nullptr, *permuted = nullptr, *gathered = nullptr;
     cholmod_solve2(CHOLMOD_A, impl_->factor.get(), &right, nullptr, &solution, nullptr, &permuted,
                    &gathered, work.get());

@@ -13,8 +13,8 @@ namespace talweg {
 /// How CHOLMOD stores a factor. Supernodes (dense blocks of columns with equal structure) are
 /// worked on by the BLAS; that module of CHOLMOD is under the GPL. Without it (TALWEG_SUPERNODAL
 /// off, or a CHOLMOD that was built without it) every factor is simplicial, column by column, which
-/// takes about four times as long to factor. So is Eigen's, which factors where there is no CHOLMOD
-/// (TALWEG_CHOLMOD off).
+/// takes about four times as long to factor. Eigen's factor, used without CHOLMOD (TALWEG_CHOLMOD
+/// off), is simplicial, too.
 enum class FactorKind { kSupernodal, kSimplicial };
 
 /// The fill-reducing ordering and the shape of the factor of every matrix with one pattern.
@@ -44,8 +44,8 @@ class SymbolicFactor {
 };
 
 /// CHOLMOD's factor L of P A Pᵀ = L Lᵀ, A symmetric positive definite (Chen, Davis, Hager &
-/// Rajamanickam 2008, "Algorithm 887: CHOLMOD"), or Eigen's. One thread: the same bytes on
-/// every run with the same libraries on the same machine.
+/// Rajamanickam 2008, "Algorithm 887: CHOLMOD"), or Eigen's. Computed on one thread: the same bytes
+/// on every run with the same libraries on the same machine.
 class CholeskyFactor {
  public:
   /// `matrix` must have the pattern that was analysed. Throws Error(kNumerical) when an entry is

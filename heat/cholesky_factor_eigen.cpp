@@ -1,4 +1,4 @@
-// The factor of builds without CHOLMOD.
+// Eigen's factor, for builds without CHOLMOD.
 #include <string>
 #include <utility>
 

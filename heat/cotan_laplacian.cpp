@@ -22,7 +22,8 @@ struct Entry {
   double weight;
 };
 
-/// Every side of every triangle in the column of its smaller corner, with duplicates.
+/// The sides of all triangles, by the column of their smaller corner; a shared side appears once
+/// per triangle.
 struct Sides {
   std::vector<std::int32_t> start;
   std::vector<Entry> entry;
@@ -32,7 +33,7 @@ template <class Visit>
 void for_each_side(const MetricTriangle& triangle, Visit&& visit) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t a = triangle.corner[k].index(), b = triangle.corner[(k + 1) % 3].index();
-    if (a != b) visit(std::min(a, b), std::max(a, b), (k + 2) % 3);  // loops carry no flow
+    if (a != b) visit(std::min(a, b), std::max(a, b), (k + 2) % 3);  // no heat flows along a loop
   }
 }
 

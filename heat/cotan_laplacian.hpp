@@ -1,4 +1,4 @@
-// The cotan Laplacian and the lumped masses are made of triangles known by their side lengths.
+// The cotan Laplacian and the lumped masses are computed from the side lengths of triangles.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace talweg {
 
-/// A triangle's shape. Cotangents and area are 0 where it has no area.
+/// A triangle's shape. Cotangents and area are 0 for a triangle without area.
 struct TriangleShape {
   std::array<double, 3> cotangent{};  ///< at corner k
   double area = 0;                    ///< length squared

@@ -17,7 +17,8 @@ void add(Sources& sources, const Surface& surface, const FaceCoordinates& point,
   }
 }
 
-/// Adds ∫ λ ds over a segment inside one face, where λ is linear, so it is the mean of its ends.
+/// Adds ∫ λ ds over a segment inside one face. λ is linear there, so the integral is the mean of λ
+/// at the two ends times the length.
 void add_segment(Sources& sources, const Surface& surface, const SurfaceCurve& curve,
                  std::size_t from, std::size_t to) {
   const SurfacePoint &p = curve.points[from], &q = curve.points[to];

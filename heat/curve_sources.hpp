@@ -1,4 +1,4 @@
-// Curve sources are where heat starts: vertices with the weights of a curve.
+// Curve sources are the vertices at which the heat of a curve starts, with their weights.
 #pragma once
 
 #include <vector>

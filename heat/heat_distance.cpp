@@ -47,14 +47,14 @@ std::vector<MetricTriangle> triangles_of(const Surface& surface, const Mollifica
   return triangles(thickened);
 }
 
-// A thread that cannot begin there is waited for without end.
+// Without pthreads, a page would wait forever for a new thread to start.
 #if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
 constexpr bool kHasThreads = false;
 #else
 constexpr bool kHasThreads = true;
 #endif
 
-/// Factors matrices one after the other or two at a time; the factors are the same.
+/// Factors matrices one after the other or two at a time, with the same results.
 class Factoring {
  public:
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
@@ -64,11 +64,12 @@ class Factoring {
     const auto job = [symbolic = symbolic_, kept = std::move(matrix)] {
       return CholeskyFactor(symbolic, *kept);
     };
-    // Not both policies at once: libstdc++ falls back with what it has moved away.
+    // The two launch policies are tried one by one: with both at once, libstdc++ falls back to a
+    // job that it has already moved from.
     try {
       if (beside_) return std::async(std::launch::async, job);
     } catch (const std::system_error&) {
-      beside_ = false;  // there are no more threads
+      beside_ = false;  // the system has no more threads
     }
     return std::async(std::launch::deferred, job);
   }
@@ -95,7 +96,7 @@ struct HeatDistance::Impl {
   std::optional<CholeskyFactor> neumann, dirichlet, poisson;
   HeatReport report;
 
-  /// The sources, checked, and their consequences for each component.
+  /// The checked sources, and the sums and flags of each component that follow from them.
   struct Start {
     std::vector<double> total;  // weight, by component
     std::vector<char> inside;   // by component: whether a source is off the boundary
@@ -150,7 +151,8 @@ bool HeatDistance::Impl::factor(CotanLaplacian laplacian, unsigned threads,
   report.order_ms = watch.lap();
   if (!go_on(progress, "factor", 0.6)) return false;
 
-  // No matrix lives longer than its factor needs it: here the process takes most memory.
+  // Each matrix lives only until its factor is computed, because the process takes most memory
+  // here.
   Factoring factoring(symbolic, threads);
   auto poisson_job = factoring.start(std::make_shared<const SymmetricMatrix>(
       pinned_poisson_matrix(laplacian, components, pinned)));
@@ -201,8 +203,8 @@ HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVert
 ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progress) const {
   ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached, progress);
   if (!dirichlet) return u;
-  // Components with a boundary and a source off it; for a closed one the second solution would be
-  // the same.
+  // The average is taken in components with a boundary and a source off the boundary. In a closed
+  // component the second solution would be the same.
   std::vector<char> bounded(components.count, 0);
   for (std::size_t v = 0; v < boundary.size(); ++v) {
     if (boundary[v] != 0) bounded[components.of_vertex[v]] = 1;

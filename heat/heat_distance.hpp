@@ -1,4 +1,4 @@
-// The heat distance is a smoothed geodesic distance to a curve or any other weighted vertices.
+// The heat distance is a smoothed geodesic distance to a curve or to any weighted vertices.
 #pragma once
 
 #include <cstddef>
@@ -47,12 +47,12 @@ struct HeatReport {
 /// it (section 4): heat flows from the sources for the time s h², its gradient is normalised, and
 /// the distance is the function whose gradient fits it best.
 ///
-/// Constructed once per surface, which factors all matrices; then any number of distances can be
-/// solved for. Immutable, so any number of threads may call solve at the same time. Does not refer
-/// to the surface afterwards.
+/// The constructor, called once per surface, factors all matrices; any number of distances can then
+/// be solved for. Immutable, so any number of threads may call solve at the same time. The object
+/// does not refer to the surface after construction.
 ///
 /// Where a component has a boundary and a source off it, the heat is the average of the solutions
-/// with free and with cold boundary (as that paper advises); elsewhere the boundary is free. The
+/// with free and with cold boundary (as Crane et al. advise); elsewhere the boundary is free. The
 /// time and all other scales are taken per component, so components do not influence each other.
 class HeatDistance {
  public:
@@ -70,10 +70,10 @@ class HeatDistance {
   HeatDistance& operator=(HeatDistance&&) noexcept;
 
   /// One distance per vertex, in length units: +infinity in components without a source, finite
-  /// elsewhere. Without zero_on_sources only differences within a component are meaningful.
-  /// Throws Error(kBadCurve) when a source is not a vertex of the surface, a weight is negative or
-  /// not finite, or no weight is positive; Error(kNumerical) if a distance is not finite.
-  /// `progress` (stage "solve") is asked between its steps; Cancelled is thrown when it returns
+  /// elsewhere. Without zero_on_sources only differences within a component are meaningful. Throws
+  /// Error(kBadCurve) when a source is not a vertex of the surface, a weight is negative or not
+  /// finite, or no weight is positive; Error(kNumerical) if a distance is not finite. `progress`
+  /// (stage "solve") is called between the steps of the solve; Cancelled is thrown when it returns
   /// false.
   [[nodiscard]] std::vector<double> solve(std::span<const WeightedVertex> sources,
                                           const DistanceOptions& options = {},

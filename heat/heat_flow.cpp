@@ -7,7 +7,7 @@ namespace talweg {
 namespace {
 
 /// The source that continues the solve from the known vertices into the unknown ones, in units of
-/// the next stage. Only sides between the two kinds contribute.
+/// the next stage. Only sides between a known and an unknown vertex contribute.
 std::vector<double> rim_source(std::span<const HeatTriangle> triangles, double time_scale,
                                const ScaledField& u, const std::vector<char>& unknown,
                                const std::vector<char>& reached, std::int32_t stage) {
@@ -58,7 +58,7 @@ ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle
         unknown[i] = 0;
       }
     }
-    if (still.size() == rest.size()) break;  // heat cannot get there at all
+    if (still.size() == rest.size()) break;  // no heat reaches these vertices
     rest = std::move(still);
   }
   return u;
@@ -68,7 +68,7 @@ ScaledField average(ScaledField a, const ScaledField& b, const std::vector<char>
   for (std::size_t i = 0; i < a.value.size(); ++i) {
     if (where[i] == 0) continue;
     const int later = b.stage[i] - a.stage[i];
-    // A later stage is negligible beside a; b cannot be at an earlier stage, except by rounding
+    // A value of b at a later stage than a is negligible. b is at an earlier stage only by rounding
     // near 0.
     const double other = later >= 0 ? std::ldexp(b.value[i], -ScaledField::kStageBits * later) : 0;
     a.value[i] = (a.value[i] + other) / 2;

@@ -1,4 +1,4 @@
-// The heat flow is the heat after one implicit step, however far from its source.
+// The heat flow is the heat after one implicit time step, at any distance from its source.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,18 @@ struct ScaledField {
 };
 
 /// Solves (M / h² + s S) u = source, the heat flow of time s h² (Crane, Weischedel & Wardetzky
-/// 2013, step I), with `factor` the factor of that matrix (or of the one with Dirichlet rows).
+/// 2013, step I), with `factor` the factor of the matrix M / h² + s S (or of this matrix with
+/// Dirichlet rows).
 ///
 /// u falls by a factor of about exp(-1 / √s) per edge, so doubles underflow after some 2,000 edges.
 /// Where |u| is below 2^-800 the equation is therefore solved again, scaled. Let A be the vertices
 /// known so far; then the rest of u solves the system with the same matrix and the source -(s S
-/// u_A) beyond A's rim and +(s S u_rest) on it. This is u itself, not an approximation, to a few
-/// digits less than a single solve. It takes one more solve for each 1,700 edge lengths or so.
+/// u_A) beyond A's rim and +(s S u_rest) on it. The result is u itself, not an approximation, to a
+/// few digits less than a single solve. One more solve is needed for each 1,700 edge lengths or so.
 ///
-/// `source` has one entry per vertex, of order 1 at most; `reached[i]` tells whether u is not 0 by
-/// definition (it is set in components with a source, except at Dirichlet rows). `progress` (stage
-/// "solve") is asked before each solve; Cancelled is thrown when it returns false.
+/// `source` has one entry per vertex, of order 1 at most; `reached[i]` is 0 where u is 0 by
+/// definition: in components without a source and at Dirichlet rows. `progress` (stage "solve") is
+/// called before each solve; Cancelled is thrown when it returns false.
 ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle> triangles,
                       double time_scale, const std::vector<double>& source,
                       const std::vector<char>& reached, const Progress& progress = {});

@@ -16,8 +16,8 @@ SymmetricMatrix neumann_heat_matrix(CotanLaplacian laplacian, const Components& 
                                     const std::vector<double>& mean_edge_length, double time_scale);
 
 /// S with the row and column of each component's first vertex (and of every vertex whose row is 0)
-/// replaced by those of the identity: positive definite up to rounding, dimensionless. `pinned`
-/// receives the replaced vertices.
+/// replaced by rows and columns of the identity: positive definite up to rounding, dimensionless.
+/// `pinned` receives the replaced vertices.
 SymmetricMatrix pinned_poisson_matrix(const CotanLaplacian& laplacian, const Components& components,
                                       std::vector<char>& pinned);
 

@@ -1,4 +1,4 @@
-// The heat triangles are what a distance solve needs of each triangle, laid out once.
+// Heat triangles hold the data of each triangle that a distance solve reads, computed once.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ struct HeatTriangle {
   double longest_side = 0;
 };
 
-/// Triangles without area are left out because nothing flows through them. O(triangles).
+/// Triangles without area are left out because no heat flows through them. O(triangles).
 std::vector<HeatTriangle> heat_triangles(std::span<const MetricTriangle> triangles);
 
 }  // namespace talweg

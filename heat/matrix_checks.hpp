@@ -1,4 +1,4 @@
-// Matrix checks refuse what no factorization would notice.
+// Matrix checks refuse matrices whose faults no factorization would notice.
 #pragma once
 
 #include "talweg/heat/symmetric_matrix.hpp"

@@ -18,7 +18,7 @@ ModuleTurn::ModuleTurn(Resource resource) {
 
 ModuleTurn::~ModuleTurn() {
   if (file_ < 0) return;
-  flock(file_, LOCK_UN);  // closing is not enough where the process was forked meanwhile
+  flock(file_, LOCK_UN);  // closing alone keeps the lock if a forked child has the file, too
   close(file_);
 }
 

@@ -1,12 +1,12 @@
-// A module's turn keeps the other modules of the process out of what they share without knowing.
+// A module's turn locks a resource that all modules of the process share, such as rand().
 #pragma once
 
 namespace talweg {
 
-/// Plugins that are linked statically have each its own copy of these libraries in one process, and
-/// so of every mutex; but rand() and OpenBLAS are there once. While one of these lives, no other of
-/// the same resource is made in this process: its maker waits. The lock is one on a file that no
-/// other process has; where there is no /proc, it does nothing.
+/// Each statically linked plugin of a process has its own copy of this library and of its mutexes,
+/// but all copies share rand() and OpenBLAS. While a ModuleTurn lives, the constructor of another
+/// ModuleTurn of the same resource waits, in whichever module of the process. The lock is a lock on
+/// a file of /proc/self, which no other process has. Without /proc, a ModuleTurn does nothing.
 class ModuleTurn {
  public:
   enum class Resource { kRandomNumbers, kOpenBlas };

@@ -1,4 +1,4 @@
-// Mollification keeps every triangle away from degenerate, for the Laplacian only.
+// Mollification lengthens edges so that no triangle is degenerate, for the Laplacian only.
 #pragma once
 
 #include <vector>

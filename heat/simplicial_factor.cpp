@@ -21,7 +21,7 @@ using Matrix = Eigen::SparseMatrix<double, Eigen::ColMajor, std::int32_t>;
   throw Error(ErrorCode::kOutOfMemory, std::string(what) + " failed: out of memory.");
 }
 
-/// The upper triangle with its columns and rows in the order of their places.
+/// The upper triangle of the matrix with columns and rows permuted to their places.
 Matrix ordered(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& place) {
   const auto n = static_cast<Eigen::Index>(matrix.size());
   Matrix result(n, n);
@@ -46,7 +46,7 @@ Matrix ordered(const SymmetricMatrix& matrix, const std::vector<std::int32_t>& p
 template <template <class, int, class> class Kind>
 using Factorization = Kind<Matrix, Eigen::Upper, Eigen::NaturalOrdering<std::int32_t>>;
 
-/// The column where L Lᵀ ends: the first that is not positive in L D Lᵀ.
+/// The column where L Lᵀ fails: the first with a pivot in L D Lᵀ that is not positive.
 std::int32_t not_positive(const Matrix& upper) {
   Factorization<Eigen::SimplicialLDLT> factor(upper);
   const Eigen::VectorXd d = factor.vectorD();
@@ -55,8 +55,9 @@ std::int32_t not_positive(const Matrix& upper) {
   return k;
 }
 
-/// Entries of the factor: each row's are the ways up the elimination tree from its entries, as in
-/// Liu 1990, "The role of elimination trees in sparse factorization". O(entries of the factor).
+/// The number of entries of the factor. The entries of a row lie on the paths up the elimination
+/// tree from the row's entries in the matrix: Liu 1990, "The role of elimination trees in sparse
+/// factorization". O(entries of the factor).
 std::size_t entries_of_factor(const Matrix& upper) {
   const auto n = static_cast<std::size_t>(upper.cols());
   std::vector<std::int32_t> parent(n, -1), seen(n, -1);

@@ -28,7 +28,8 @@ class SimplicialOrder {
   std::size_t entries_ = 0;
 };
 
-/// Eigen's SimplicialLLT in that order. One thread: the same bytes on every run.
+/// Eigen's SimplicialLLT in the order of a SimplicialOrder. One thread: the same bytes on every
+/// run.
 class SimplicialFactor {
  public:
   /// Throws Error as CholeskyFactor does.

@@ -1,4 +1,4 @@
-// A symmetric matrix is sparse, and stands in plain arrays.
+// A symmetric matrix is sparse, and is stored in plain arrays.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct SymmetricMatrix {
   [[nodiscard]] double diagonal(std::size_t j) const { return value[column_start[j]]; }
 };
 
-/// Rows and columns with fixed[j] != 0 become those of the identity; the pattern stays.
+/// Rows and columns with fixed[j] != 0 become rows and columns of the identity; the pattern stays.
 /// `fixed` has one entry per column.
 void replace_by_identity(SymmetricMatrix& matrix, const std::vector<char>& fixed);
 

@@ -37,8 +37,8 @@ std::vector<double> unit_gradient_divergence(std::span<const HeatTriangle> trian
   for (const HeatTriangle& triangle : triangles) {
     const std::array<double, 3> value = local_values(triangle, u);
     const auto& weight = triangle.half_cotangent;
-    // ∇u| · longest side, from its components along that side and across it (height = side / (cot₀
-    // + cot₁)).
+    // |∇u| · longest side, from the components of ∇u along this side and across it (height = side /
+    // (cot₀ + cot₁)).
     const double along = value[1] - value[0];
     const double across = 2 * ((weight[0] + weight[1]) * (value[2] - value[0]) - weight[0] * along);
     const double steepness = std::sqrt(along * along + across * across);

@@ -1,4 +1,4 @@
-// The unit gradient of the heat is what the distance's gradient has to be.
+// The unit gradient of the heat, negated, is the gradient that the distance should have.
 #pragma once
 
 #include <span>

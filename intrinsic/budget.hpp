@@ -1,4 +1,4 @@
-// A budget says how much a call may use up before what only gets better with time is left as it is.
+// A budget limits the time or the counted work of a call; refinement ends when it is used up.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 
 namespace talweg {
 
-/// What one call may use up. Stages that refine (fairing, deviations, searches within a bound,
-/// junctions) end when it is used up, between two whole steps, and give the best that they have,
-/// with what holds for it. What has no use until it is whole, such as straightening and solving,
-/// runs to its end.
+/// The limits of one call. When the budget is used up, stages that refine a result (fairing,
+/// deviations, searches within a bound, junctions) end between two whole steps and return the best
+/// result so far, with the bounds known for it. Stages whose partial results have no use, such as
+/// straightening and solving, run to their end.
 struct Budget {
   std::optional<double> seconds;      ///< s, > 0, by a clock
   std::optional<std::uint64_t> work;  ///< counted steps, > 0: the same result on every machine
@@ -33,8 +33,8 @@ struct Budget {
   bool operator==(const Budget&) const = default;
 };
 
-/// What has been used of a budget since the object was made. Work may be added from several
-/// threads. The clock is looked at only where there is a budget of seconds.
+/// Counts the use of a budget since construction. Several threads may add work. The clock is read
+/// only if the budget limits the seconds.
 class BudgetUse {
  public:
   explicit BudgetUse(const Budget& budget) : most_work_(budget.work.value_or(UINT64_MAX)) {
@@ -52,7 +52,7 @@ class BudgetUse {
     return is_work_used_up() || (end_ && Clock::now() >= *end_);
   }
 
-  /// To be told by a stage that ends early.
+  /// Records that a stage has ended early.
   void note_end() { has_ended_ = true; }
   /// Whether any stage has ended early.
   [[nodiscard]] bool has_ended() const { return has_ended_; }
@@ -66,7 +66,7 @@ class BudgetUse {
   std::atomic<bool> has_ended_ = false;
 };
 
-/// Thrown by an Asker that ends with its budget.
+/// Thrown by an Asker after Asker::end_with_budget() when the budget is used up.
 struct BudgetUsedUp {};
 
 }  // namespace talweg

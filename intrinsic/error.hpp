@@ -1,4 +1,4 @@
-// An error is what bad input raises.
+// An error says why a call failed, in a sentence that can be shown to the user.
 #pragma once
 
 #include <stdexcept>
@@ -15,8 +15,9 @@ enum class ErrorCode {
   kOutOfMemory,  ///< memory ran out
 };
 
-/// The caller's input cannot be used. The message is one sentence that says what is wrong and where
-/// (vertex 4711, line 12); it can be shown to a user unchanged.
+/// Thrown when the caller's input cannot be used, a factorization or solve fails, or memory runs
+/// out. The message is one sentence that says what is wrong and where (vertex 4711, line 12), and
+/// can be shown to a user unchanged.
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -1,5 +1,5 @@
-// Progress is a callback of the caller's, which hears how far a call is and may cancel it; a budget
-// travels with it.
+// Progress is the caller's callback, which receives the state of a call and may cancel the call. A
+// Progress may carry a budget.
 #pragma once
 
 #include <concepts>
@@ -13,9 +13,10 @@
 
 namespace talweg {
 
-/// Called from time to time with the stage's name and the done fraction in [0, 1]. Returning false
-/// cancels the call, which then returns a typed result and stays usable. Made from anything that
-/// can be called like that. Copies have the same budget, if there is one.
+/// Called from time to time with the stage's name and the done fraction in [0, 1]. A callback that
+/// returns false cancels the call; the call then returns a typed result, and its object stays
+/// usable. Constructed from any callable with these parameters. Copies share one budget, if there
+/// is one.
 class Progress {
  public:
   using Callback = std::function<bool(const char* stage, double fraction)>;
@@ -32,7 +33,8 @@ class Progress {
   explicit operator bool() const { return static_cast<bool>(callback_); }
   bool operator()(const char* stage, double fraction) const { return callback_(stage, fraction); }
 
-  /// The same callback with a budget that begins now; without any if this one is empty.
+  /// The same callback with a new budget, whose use starts at this call; without a budget if
+  /// `budget` sets no limit.
   [[nodiscard]] Progress with(const Budget& budget) const {
     Progress result = without_budget();
     if (budget.any()) result.use_ = std::make_shared<BudgetUse>(budget);
@@ -56,8 +58,8 @@ inline bool go_on(const Progress& progress, const char* stage, double fraction) 
   return !progress || progress(stage, fraction);
 }
 
-/// Whether a budget is used up, for a stage that then ends: to be asked only where there is more to
-/// do, since it is noted.
+/// Whether the budget is used up. A true answer is recorded as an early end, so a stage asks only
+/// while it has more work to do, and ends on true.
 inline bool ends_early(const Progress& progress) {
   BudgetUse* budget = progress.budget();
   if (budget == nullptr || !budget->is_used_up()) return false;
@@ -65,29 +67,31 @@ inline bool ends_early(const Progress& progress) {
   return true;
 }
 
-/// Whether a stage has ended early, so that what it made must not be kept for other calls.
+/// Whether a stage has ended early; its result must then not be cached for other calls.
 inline bool has_ended_early(const Progress& progress) {
   return progress.budget() != nullptr && progress.budget()->has_ended();
 }
 
-/// Thrown by long work that is cancelled. Calls that return typed results catch it; functions that
-/// let it through say so.
+/// Thrown by long work that is cancelled. Calls that return typed results catch Cancelled; the
+/// docstrings of other functions name it.
 struct Cancelled {};
 
-/// Asks a Progress at once and then at regular amounts of work. Work is counted, not timed, in
-/// units of about a tenth of a microsecond, so that the Progress is asked about every millisecond.
+/// Calls a Progress at construction and then at regular amounts of work. Work is counted, not
+/// timed, in units of about a tenth of a microsecond, so the Progress is called about once per
+/// millisecond.
 class Asker {
  public:
   static constexpr std::size_t kEvery = 8192;  ///< units
 
-  /// `fraction`: where the work begins that is asked about. Throws Cancelled, as all member
-  /// functions that ask do.
+  /// `fraction`: the done fraction of the stage at which the work begins, in [0, 1]. Throws
+  /// Cancelled when the callback returns false, as ask() and did() do.
   Asker(Progress progress, const char* stage, double fraction = 0)
       : progress_(std::move(progress)), stage_(stage), fraction_(fraction) {
     ask();
   }
 
-  /// From now on BudgetUsedUp is thrown, too: at once and by all functions that ask.
+  /// Makes this call, and later calls of ask() and did(), throw BudgetUsedUp when the budget is
+  /// used up.
   void end_with_budget() {
     ends_ = true;
     end_if(ends_early());
@@ -105,7 +109,7 @@ class Asker {
     }
     if ((done_ += units) >= kEvery) ask();
   }
-  /// Sets the fraction of the stage, in [0, 1], that later questions report.
+  /// Sets the fraction of the stage, in [0, 1], that later calls of the Progress report.
   void is_at(double fraction) { fraction_ = fraction; }
   void ask() {
     done_ = 0;

@@ -1,4 +1,4 @@
-// A stopwatch tells how long something takes.
+// A stopwatch measures elapsed time.
 #pragma once
 
 #include <chrono>

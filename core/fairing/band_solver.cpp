@@ -20,8 +20,8 @@ void BandSystem::hold(std::size_t i) {
   right_[row] = 0;
 }
 
-/// Replaces the coefficients by factors and the right side by the solution. The width is known when
-/// this is compiled, so that loops over it are unrolled.
+/// Replaces the coefficients by factors and the right side by the solution. The width is a template
+/// parameter, so loops over it are unrolled.
 template <std::size_t kWidth>
 bool BandSystem::eliminate() {
   double* const factor = entries_.data();

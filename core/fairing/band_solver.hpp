@@ -1,4 +1,4 @@
-// The band solver solves the small systems of samples along a curve.
+// The band solver solves banded systems, one unknown per sample along a curve.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,9 @@
 
 namespace talweg {
 
-/// A symmetric positive definite system of n unknowns in a row or in a ring, in which each is
-/// coupled with the two before and after it. A ring of 5 or more is folded (0, n - 1, 1, n - 2, …),
-/// so that it is a band too. Smaller rings are full.
+/// A symmetric positive definite system of n unknowns in a row or in a ring, in which each unknown
+/// is coupled with the two before and the two after it. A ring of 5 or more unknowns is folded (0,
+/// n - 1, 1, n - 2, …), so its matrix is a band, too. The matrices of smaller rings are full.
 class BandSystem {
  public:
   BandSystem() = default;
@@ -24,10 +24,10 @@ class BandSystem {
     entry(std::max(a, b), std::max(a, b) - std::min(a, b)) += value;
   }
   [[nodiscard]] double& right(std::size_t i) { return right_[place(i)]; }
-  /// Makes an unknown 0.
+  /// Fixes an unknown at 0.
   void hold(std::size_t i);
-  /// By LDLᵀ in the system's own memory: its coefficients are lost. False where it is not positive
-  /// definite. O(n).
+  /// Solves by LDLᵀ in the system's own memory, so the coefficients are lost. False if the matrix
+  /// is not positive definite. O(n).
   bool solve(std::vector<double>& solution);
 
  private:

@@ -31,11 +31,11 @@ struct Node {
   bool corner = false;
 };
 
-/// The curve's points in their order; one that is met twice in succession counts once.
+/// The points of a trace in order; equal points in succession are one node.
 class Nodes {
  public:
   Nodes(const Surface& surface, const CurveTrace& trace) : trace_(&trace) {
-    const std::size_t first = trace.closed ? 0 : 1;  // of the fixed points that are no end
+    const std::size_t first = trace.closed ? 0 : 1;  // the first fixed point that is no end
     std::size_t k = 0;
     for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
       const TracePiece& piece = trace.pieces[i];
@@ -82,7 +82,7 @@ class Nodes {
   std::vector<Node> nodes_;
 };
 
-/// Keeps nodes where the curve of those that are kept turns too much at one point.
+/// Keeps more nodes where the curve through the kept nodes turns too much at one node.
 class Selection {
  public:
   Selection(const Surface& surface, std::vector<Node>& nodes, const CurveTrace& trace, double edge)
@@ -100,7 +100,7 @@ class Selection {
       for (std::size_t k = closed ? 0 : 1; k < (closed ? n : n - 1); ++k) {
         const std::size_t before = kept[k == 0 ? n - 1 : k - 1],
                           after = kept[k + 1 == n ? 0 : k + 1];
-        // What is between the same neighbours as before has been seen to.
+        // A node between the same neighbours as in an earlier round is done.
         const std::array<std::size_t, 2> beside{before + 1, after + 1};
         if (seen_[kept[k]] == beside) continue;
         seen_[kept[k]] = beside;
@@ -114,8 +114,8 @@ class Selection {
   }
 
  private:
-  /// Keeps three nodes of a loop that crosses fewer edges, inside one face or around the end of an
-  /// edge.
+  /// Keeps three nodes of a loop with fewer crossings of edges, inside one face or around the end
+  /// of an edge.
   void make_loop() {
     const std::size_t least = std::min<std::size_t>(3, nodes_->size());
     for (std::vector<std::size_t> kept = this->kept(); kept.size() < least; kept = this->kept()) {
@@ -148,8 +148,8 @@ class Selection {
     if (turn > kLargest || out > kApart * edge_) halve(at, after, out, wanted);
   }
 
-  /// From the faces in which the pieces beside a node lie; other points between two nodes that are
-  /// kept are in the same one.
+  /// The turn at a node, measured in the faces of the pieces beside it. All points between two kept
+  /// nodes lie in one face.
   [[nodiscard]] double turn_at(std::size_t before, std::size_t at, std::size_t after) const {
     const Node &a = (*nodes_)[before], &b = (*nodes_)[at], &c = (*nodes_)[after];
     const TracePiece &first = trace_->pieces[a.out], &in = trace_->pieces[b.in],
@@ -167,7 +167,7 @@ class Selection {
     if (in.face == out.face) return angle(arriving, way(here, out.from, last.to));
     const FaceFrame there(*surface_, out.face);
     const PlanePoint leaving = way(there, out.from, last.to);
-    // Both as seen from the edge.
+    // Both directions are compared in the frame of the edge.
     const auto along = [&](const FaceFrame& frame) {
       const HalfedgeId h = halfedge_of(edge->edge);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -188,7 +188,7 @@ class Selection {
     return gap < 0 ? gap + trace_->length : gap;
   }
 
-  /// Wants the node nearest to the middle between two that are kept, if there is any.
+  /// Appends the node nearest to the middle between two kept nodes to `wanted`, if there is any.
   void halve(std::size_t from, std::size_t to, double gap, std::vector<std::size_t>& wanted) const {
     const std::size_t n = nodes_->size();
     std::size_t best = n;
@@ -208,7 +208,7 @@ class Selection {
   std::vector<Node>* nodes_;
   const CurveTrace* trace_;
   double edge_;
-  std::vector<std::array<std::size_t, 2>> seen_;  // per node: its neighbours when last looked at
+  std::vector<std::array<std::size_t, 2>> seen_;  // per node: its last neighbours, counted from 1
 };
 
 }  // namespace

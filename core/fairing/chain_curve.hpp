@@ -1,4 +1,5 @@
-// The curve of a chain has few points: where it crosses edges, and where it turns inside faces.
+// The curve of a chain has few points: crossings of edges, and samples where the chain turns in
+// faces.
 #pragma once
 
 #include "talweg/core/fairing/sample_chain.hpp"
@@ -6,11 +7,11 @@
 
 namespace talweg {
 
-/// Keeps the chain's crossings of edges, and as many of its samples as it takes that no turn
-/// exceeds 5 degrees (where samples that close allow it) and that turns of more than 1 degree are
-/// no farther than `edge` / 2 apart (`edge` in mesh units), corners left aside. The curve bends by
-/// about as much as the chain. O(n log n) for n samples and crossings as a rule: rounds halve
-/// stretches that turn too much.
+/// Keeps the chain's crossings of edges, and enough of its samples that no turn exceeds 5 degrees
+/// (if samples are close enough) and that points with turns of more than 1 degree have neighbours
+/// at about `edge` / 2 or less (`edge` in mesh units). Corners are exempt. The curve bends by about
+/// as much as the chain. O(n log n) for n samples and crossings as a rule: each round halves the
+/// parts that turn too much.
 SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleChain& chain,
                       double edge);
 

@@ -44,11 +44,12 @@ void add_fixed_points(const SampleChain& from, std::size_t first, std::size_t la
                          from.fixed_points.begin() + count(last));
 }
 
-/// Numbers the stretches as ChainMaker::sampled() does, and drops corners where there are none.
+/// Numbers the stretches as ChainMaker::sampled() does, and clears `corners` if no sample is a
+/// corner.
 void settle(SampleChain& chain) {
   const auto fixed =
       static_cast<std::uint32_t>(std::count(chain.fixed.begin(), chain.fixed.end(), true));
-  std::uint32_t stretch = fixed > 0 ? fixed - 1 : 0;  // a loop may begin in its last one
+  std::uint32_t stretch = fixed > 0 ? fixed - 1 : 0;  // a loop may begin in its last stretch
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     if (chain.fixed[i]) stretch = stretch + 1 < fixed ? stretch + 1 : 0;
     chain.joins[i].stretch = stretch;
@@ -84,7 +85,7 @@ SampleChain part_of(const Surface& surface, const SampleChain& chain, ChainRange
   SampleChain part;
   add_samples(chain, range.first, range.last + 1, part);
   for (std::size_t i = range.first; i < range.last; ++i) add_join(chain, i, part);
-  // Points that are fixed may lie on edges, or at vertices.
+  // A fixed sample has a stored point, which may lie on an edge or at a vertex.
   const auto add_end = [&](std::size_t i) {
     if (chain.fixed[i]) return add_fixed_points(chain, i, i + 1, part);
     part.fixed_points.push_back(point_of(surface, chain.samples[i]));
@@ -131,7 +132,7 @@ SampleChain with_parts(const SampleChain& chain, std::span<const ChainRange> ran
                        std::span<const SampleChain> parts) {
   SampleChain result;
   result.closed = chain.closed;
-  std::size_t next = 0;  // the first sample that is not there yet
+  std::size_t next = 0;  // the first sample that is not in `result` yet
   const auto stay_until = [&](std::size_t end) {
     add_samples(chain, next, end, result);
     add_fixed_points(chain, next, end, result);
@@ -140,14 +141,15 @@ SampleChain with_parts(const SampleChain& chain, std::span<const ChainRange> ran
   for (std::size_t k = 0; k < ranges.size(); ++k) {
     const ChainRange& range = ranges[k];
     for (std::size_t i = next; i < range.first; ++i) add_join(chain, i, result);
-    // Its first and last two samples are the chain's, and no more fixed than they are there.
+    // The first two and the last two samples of a part are the chain's, and fixed only if they are
+    // fixed in the chain.
     const SampleChain& part = parts[k];
     const ChainFrame frame{&chain, range};
     const std::size_t before = frame.has_first() ? 1 : 0, after = frame.has_last() ? 1 : 0;
     stay_until(range.first + 1);
     const std::size_t begun = result.size();
     add_samples(part, 1, part.size() - 1, result);
-    // Those of the ends, and of the samples beside them, are the chain's.
+    // The fixed points of these samples are taken from the chain.
     if (before > 0) {
       result.fixed[begun] = chain.fixed[range.first + 1];
       add_fixed_points(chain, range.first + 1, range.first + 2, result);

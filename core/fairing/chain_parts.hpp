@@ -1,4 +1,4 @@
-// Chain parts are stretches of a chain, to be faired again while the rest of it stays.
+// Chain parts are ranges of a chain that are faired again while the rest of the chain stays.
 #pragma once
 
 #include <cstddef>
@@ -11,43 +11,44 @@
 
 namespace talweg {
 
-/// The samples of a chain from one to another, both included, first < last.
+/// A range of samples of a chain, both ends included, first < last.
 struct ChainRange {
   std::size_t first = 0, last = 0;
 };
 
-/// A chain's samples before and after a part of it that is faired again. They stay, as do the joins
-/// to them, so that the part leaves and comes back in their direction.
+/// The samples of a chain before and after a part that is faired again. These two samples and their
+/// joins to the part stay, so that the part continues the chain without a kink.
 struct ChainFrame {
   const SampleChain* chain;
-  ChainRange range;  ///< the part with these samples; at an end of the chain there is none
+  ChainRange range;  ///< the part with these samples; a chain's end has no sample beyond it
 
   [[nodiscard]] bool has_first() const { return chain->closed || range.first > 0; }
   [[nodiscard]] bool has_last() const { return chain->closed || range.last + 1 < chain->size(); }
-  /// The samples between those that stay: the part's own.
+  /// The samples of the part itself, between the samples that stay.
   [[nodiscard]] ChainRange inside() const {
     return {range.first + (has_first() ? 1 : 0), range.last - (has_last() ? 1 : 0)};
   }
 };
 
-/// Ranges (ascending, apart from each other) with so many samples about each of these, which
-/// ascend, or fewer at the ends; of a loop none goes across its start. O(samples).
+/// Ranges (ascending, disjoint) that cover `beside` samples on either side of each of `samples`
+/// (ascending), fewer at the ends of a chain of `size` samples. No range crosses the start of a
+/// loop. O(samples).
 std::vector<ChainRange> ranges_about(std::span<const std::size_t> samples, std::size_t beside,
                                      std::size_t size);
 
-/// Whether they have less than a quarter of so many samples.
+/// Whether the ranges cover less than a quarter of `size` samples.
 bool is_little(std::span<const ChainRange> ranges, std::size_t size);
 
-/// These samples as an open chain, whose ends are fixed. O(chain).
+/// The samples of a range as an open chain with fixed ends. O(chain).
 SampleChain part_of(const Surface& surface, const SampleChain& chain, ChainRange range);
 
 /// A part that begins and ends where the inside of the frame does, with the samples of the frame
-/// about it; none where the faces at its ends are others. Its turns are to be set. O(part).
+/// before and after it; none where the faces at its ends are other faces. The caller must set the
+/// turns. O(part).
 std::optional<SampleChain> framed(const Surface& surface, SampleChain part,
                                   const ChainFrame& frame);
 
-/// The chain with these ranges (ascending, apart from each other) replaced by framed parts.
-/// O(chain + parts).
+/// The chain with the ranges (ascending, disjoint) replaced by framed parts. O(chain + parts).
 SampleChain with_parts(const SampleChain& chain, std::span<const ChainRange> ranges,
                        std::span<const SampleChain> parts);
 

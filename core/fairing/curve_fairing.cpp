@@ -20,12 +20,13 @@ constexpr double kJoinsOfStretch = 8, kLeastOfEdge = 16, kUnequal = 1.5;
 constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
-constexpr std::size_t kLong = 4'096;  // samples; where less is to be done anew, more must not be
-constexpr std::size_t kEase = 32;     // samples beside what is faired anew
+constexpr std::size_t kLong = 4'096;       // samples; of longer chains only parts are faired again
+constexpr std::size_t kEase = 32;          // samples on either side of a part that is faired again
 constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
-/// Nearly a quarter of the shortest of a leg and its neighbours, since offsets of samples leave
-/// some out; for a leg beside much shorter ones, three quarters of its own length count.
+/// The largest swing of a leg: nearly a quarter of the length of the shortest among the leg and its
+/// neighbours, but at least of three quarters of the leg's own length. Offsets of samples
+/// underestimate the swing, hence less than a quarter.
 double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool closed) {
   constexpr double kMostSwing = 0.23;
   const std::size_t n = lengths.size();
@@ -37,19 +38,19 @@ double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool c
 
 }  // namespace
 
-/// Legs of a curve are sampled twice, strokes four times.
+/// The number of sampling levels: two for a curve with legs, four for strokes alone.
 int CurveFairing::levels() const { return legs_.any() ? kLevelsWithLegs : kLevels; }
 
-/// How many times farther apart samples are on a level than on the last one.
+/// The spacing of samples on a level, relative to the last level.
 double CurveFairing::coarser(int level) const { return std::exp2(levels() - 1 - level); }
 
-/// How far apart samples are to be on a stretch of this length, for this slack; mesh units.
+/// The wanted spacing of samples on a stretch of this length, for this slack; mesh units.
 double CurveFairing::wanted(double slack, double stretch, int level) const {
   const double finest = std::max(slack / 2, edge_ / 8);
   return std::max(finest, std::min(coarser(level) * finest, stretch / kJoinsOfStretch));
 }
 
-/// On each stretch, mesh units.
+/// The spacing of samples on each stretch, mesh units.
 std::vector<double> CurveFairing::spacings(const CurveTrace& trace, int level) const {
   const double most = trace.length / kMostSamples;
   double slack = 0;
@@ -90,7 +91,7 @@ bool CurveFairing::is_too_long(double length) const {
   return length > kMostSamples * least_spacing(0);
 }
 
-/// The length 1/√t over which a spline turns where its leg does, once it is known.
+/// The length 1/√t over which a spline turns at a corner of its legs; infinite until t is known.
 double CurveFairing::reach_of_corner(std::size_t leg) const {
   if (!(tension_ > 0)) return HUGE_VAL;
   const double stronger = leg < legs_.stronger.size() ? legs_.stronger[leg] : 1;
@@ -103,15 +104,15 @@ FairChain CurveFairing::chain_fairing(const FairOptions& options) {
   return fair;
 }
 
-/// The trace of the chain on a finer cubic; none where it cannot be divided.
+/// The trace of the cubic through the chain; none where the chain cannot be divided.
 std::optional<CurveTrace> CurveFairing::traced(const SampleChain& chain) {
   const std::optional<SampleChain> divided = maker_.divided(chain, kResamplingParts);
   if (!divided) return std::nullopt;
   return maker_.trace_of(*divided);
 }
 
-/// Coarse samples first: they find a course that bends little, from which finer ones would be kept
-/// by many small minima of the bending.
+/// Starts with coarse samples, which find a course of little bending. Fine samples would end in one
+/// of many small minima of the bending.
 std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
   return from_level(0, start, asker);
 }
@@ -148,7 +149,8 @@ std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace&
 }
 
 /// A spline swings out of its legs where they turn sharply or differ much in length. Legs from
-/// which it swings too far for their length are drawn tighter, while the others keep their tension.
+/// which the spline swings too far for their length get more tension, while the other legs keep
+/// theirs.
 void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs,
                                Asker& asker) {
   if (!legs_.any()) return;
@@ -175,8 +177,8 @@ void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveT
   }
 }
 
-/// Lets samples at way-points with a tolerance move as far as that. The chain is as it was if they
-/// do not stay within.
+/// Lets samples at way-points with a tolerance move within the tolerance. Returns the chain
+/// unchanged if a sample leaves its tolerance.
 std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& asker) {
   std::vector<bool> loose(chain.size(), false);
   std::vector<double> reach(chain.size(), 0);
@@ -201,8 +203,8 @@ std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& aske
   return free;
 }
 
-/// Whether no join is so much longer than the others that what lies between its samples is not
-/// seen.
+/// Whether no join is much longer than wanted; a long join misses the surface and the drawing
+/// between its samples.
 bool CurveFairing::is_even(const SampleChain& chain, int level) const {
   std::vector<double> lengths, counts;
   for (const ChainJoin& join : chain.joins) {
@@ -241,7 +243,8 @@ std::optional<SampleChain> CurveFairing::evened(const SampleChain& chain, Asker&
   return trace ? from_level(last, *trace, asker) : std::nullopt;
 }
 
-/// What is beyond a wall is drawn in by stiffer walls.
+/// Fairs the chain again with stiffer walls where samples are beyond them, until all samples are
+/// within or the rounds are used up.
 void CurveFairing::keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail,
                                Asker& asker) {
   if (chain.size() > kLong && trail == nullptr && !legs_.any() &&
@@ -253,7 +256,8 @@ void CurveFairing::keep_within(FairChain& fair, SampleChain& chain, SampleTrail*
   }
 }
 
-/// The same for parts of a long chain about these samples; false where they are too many.
+/// The same for parts of a long chain around these samples; false if the parts are too much of the
+/// chain.
 bool CurveFairing::keep_parts_within(const std::vector<std::size_t>& samples, FairOptions options,
                                      SampleChain& chain, Asker& asker) {
   if (samples.empty()) return true;
@@ -273,7 +277,7 @@ bool CurveFairing::keep_parts_within(const std::vector<std::size_t>& samples, Fa
   return true;
 }
 
-/// Whether a sample is between the walls of a stroke.
+/// Whether a sample has walls, that is, neither of its joins is on a leg.
 bool CurveFairing::is_held(const SampleChain& chain, std::size_t i) const {
   return !legs_.is_on_leg(chain.join_before(i)) && !legs_.is_on_leg(chain.join_after(i));
 }
@@ -287,7 +291,7 @@ bool CurveFairing::keeps_within(const SampleChain& chain) const {
   return true;
 }
 
-/// Of the samples on strokes.
+/// The largest distance of the samples on strokes to the drawing, relative to the wall there.
 double CurveFairing::farthest(const SampleChain& chain) const {
   double most = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -321,8 +325,8 @@ double CurveFairing::farthest(const SurfaceCurve& curve) const {
   return most;
 }
 
-/// So many joins of the result for each of the chain's that turns are of 3 degrees on average:
-/// peaks of the curvature lie between samples. Where the chain hardly turns, two are enough.
+/// The number of joins of the result for each join of the chain, so that turns are about 3 degrees:
+/// peaks of the curvature lie between samples. Two joins are enough where the chain hardly turns.
 std::vector<int> CurveFairing::result_parts(const SampleChain& chain) {
   constexpr double kDegree = std::numbers::pi / 180, kLargest = 3 * kDegree, kSmall = kDegree;
   constexpr int kFew = 2;
@@ -340,8 +344,9 @@ std::vector<int> CurveFairing::result_parts(const SampleChain& chain) {
   return parts;
 }
 
-/// Fairs those parts of a long chain on whose curve (which has been divided into so many joins for
-/// each) comes near to the walls; false where they are too many.
+/// Fairs the parts of a long chain again where its curve comes near to the walls. `dense` is the
+/// chain divided into joins[i] joins for join i. False if no part was faired, or the parts are too
+/// much of the chain.
 bool CurveFairing::draw_in(const SampleChain& dense, const std::vector<int>& joins,
                            SampleChain& chain, Asker& asker) {
   constexpr double kAlmost = 0.98;
@@ -374,7 +379,7 @@ bool CurveFairing::draw_in(const SampleChain& dense, const std::vector<int>& joi
   return !parts.empty();
 }
 
-/// A part of a chain in its frame, as it is.
+/// A part of a chain in its frame, not yet faired.
 std::optional<SampleChain> CurveFairing::part_of_chain(const SampleChain& chain, ChainRange range) {
   const ChainFrame frame{&chain, range};
   auto part = framed(*surface_, part_of(*surface_, chain, frame.inside()), frame);
@@ -382,8 +387,8 @@ std::optional<SampleChain> CurveFairing::part_of_chain(const SampleChain& chain,
   return part;
 }
 
-/// What lies between samples may be beyond a wall where they are not: walls are then felt earlier.
-/// That helps where it is half as far beyond after each round.
+/// The curve may be beyond a wall between samples that are within. The chain is then faired again
+/// with walls that are felt earlier, as long as each round halves the excess.
 std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& asker) {
   if (band_ != nullptr && !keeps_within(chain)) return std::nullopt;
   FairOptions options = options_;

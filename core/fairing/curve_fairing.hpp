@@ -21,15 +21,15 @@ namespace talweg {
 
 struct FairedCurve {
   SurfaceCurve curve;
-  SampleChain chain;    ///< its own: that it was made from, faired on
-  double farthest = 0;  ///< largest distance to the drawing, in distances of the wall there
+  SampleChain chain;    ///< the chain from which the curve was made
+  double farthest = 0;  ///< largest distance to the drawing, relative to the wall there
 };
 
-/// Fairs a curve in the band of its drawing, and on legs by their tension. Samples are four slacks
-/// apart at first, then two, one and half of one (on a leg, a sixth and a twelfth of its length),
-/// nearer where the drawing is wound more tightly, but never nearer than an eighth of an edge, or a
-/// sixteenth there, nor more than 100,000. All functions throw Cancelled.
-/// Cost: a few runs of FairChain on each level.
+/// Fairs a curve in the band of its drawing, and legs by their tension. The spacing of samples is
+/// four slacks at first, then two, one and half a slack (on a leg, a sixth and a twelfth of its
+/// length), but at least an eighth of an edge. Where the drawing is wound tightly, samples are
+/// closer, down to a sixteenth of an edge. The spacing grows where a chain would have more than
+/// 100,000 samples. All functions throw Cancelled. Cost: a few runs of FairChain on each level.
 class CurveFairing {
  public:
   /// `edge`: mean edge near the curve, mesh units. The band may be null where every stretch is a
@@ -44,29 +44,32 @@ class CurveFairing {
         options_(options),
         legs_(std::move(legs)) {}
 
-  /// Whether a curve of this length (mesh units) has more than 100,000 samples at the distance that
-  /// its slack and the mesh ask for, so that they are taken farther apart.
+  /// Whether a curve of this length (mesh units) would have more than 100,000 samples at the
+  /// spacing that its slack and the mesh ask for. The spacing is then larger.
   [[nodiscard]] bool is_too_long(double length) const;
-  /// The least distance of samples on strokes of a curve of this length; mesh units.
+  /// The least spacing of samples on strokes of a curve of this length; mesh units.
   [[nodiscard]] double least_spacing(double length) const;
-  /// From this length on (mesh units) a chain is lost: it winds to and fro between walls, or has
-  /// left them, and would only become longer.
+  /// Sets the length (mesh units) beyond which a chain is given up: such a chain winds to and fro
+  /// between walls, or has left them, and would only become longer.
   void give_up_beyond(double length) { most_length_ = length; }
-  /// Whether a chain was lost because it passes too many faces, as others in this band would.
+  /// Whether a chain was given up because it passes too many faces; other chains in this band
+  /// would, too.
   [[nodiscard]] bool is_lost() const { return lost_; }
-  /// A fair chain that starts from a curve; none where samples cannot be joined, or it is lost.
+  /// A fair chain that starts from a curve; none where samples cannot be joined, or the chain is
+  /// given up.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
-  /// A fair chain that starts from one of another band; none where it is lost. The ways of its
-  /// samples are added to the trail.
+  /// A fair chain that starts from a chain of another band; none if the chain is given up. The ways
+  /// of its samples are appended to the trail.
   std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
-  /// The chain sampled anew, and faired, if its joins have become too uneven to start from.
+  /// The chain sampled again and faired, if its joins are too uneven for another start; none if
+  /// they are even, or where samples cannot be joined.
   std::optional<SampleChain> evened(const SampleChain& chain, Asker& asker);
   /// Whether no sample lies beyond a wall.
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
-  /// The largest distance of a curve to the drawing, in distances of the wall there.
+  /// The largest distance of a curve to the drawing, relative to the wall there.
   [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
-  /// The curve of a chain that is fair or nearly so; the chain is faired on where that is beyond a
-  /// wall. None where samples cannot be joined.
+  /// The curve of a chain that is fair or nearly so. The chain is faired again if its curve is
+  /// beyond a wall. None where a sample is beyond a wall, or samples cannot be joined.
   std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
 
  private:
@@ -102,7 +105,7 @@ class CurveFairing {
   double edge_;
   FairOptions options_;
   LegTension legs_;
-  double tension_ = 0;  // of the legs at last, 1 / mesh units²
+  double tension_ = 0;  // of the legs, in the last run; 1 / mesh units²
   double most_length_ = HUGE_VAL;
   bool lost_ = false;
 };

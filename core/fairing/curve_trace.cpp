@@ -18,8 +18,8 @@ HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v) {
 
 namespace {
 
-/// The face of both points, the left one where they lie on one edge, so that numbers of faces do
-/// not decide; invalid where there is none.
+/// The common face of two points; invalid if there is none. For two points on one edge, the left
+/// face, so that the result does not depend on the numbers of faces.
 FaceId face_of(const Surface& surface, const SurfacePoint& p, const SurfacePoint& q) {
   const FaceId face = common_face(surface, p, q);
   if (!face.valid()) return face;
@@ -112,7 +112,7 @@ std::size_t CurveTrace::piece_at(double arc) const {
 
 FaceCoordinates CurveTrace::point(std::size_t piece, double arc) const {
   const TracePiece& p = pieces[piece];
-  // The curve's end is exactly that, whatever rounding says of its arc.
+  // The end of the curve is exact, in spite of rounding of its arc length.
   const double part = arc >= length && piece + 1 == pieces.size() ? 1
                       : p.length > 0 ? std::clamp((arc - p.arc) / p.length, 0.0, 1.0)
                                      : 0;

@@ -1,4 +1,5 @@
-// A curve trace is a curve as straight pieces of faces, and the halfedges crossed between them.
+// A curve trace is a curve as straight pieces in faces, and the halfedges crossed between the
+// pieces.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@
 namespace talweg {
 
 struct TracePiece : CurveSegment {
-  double arc = 0;             ///< mesh units along the curve, where the piece begins
-  std::uint32_t crossed = 0;  ///< where its crossings begin: those between it and the next piece
+  double arc = 0;             ///< arc length at the start of the piece, mesh units
+  std::uint32_t crossed = 0;  ///< index of the first crossing after the piece
 };
 
 struct CurveTrace {
@@ -24,47 +25,48 @@ struct CurveTrace {
   std::vector<TracePiece> pieces;
   FaceStrip crossed;
   std::vector<std::size_t> fixed;  ///< pieces, ascending, that begin at points that must stay
-  std::vector<SurfacePoint> fixed_points;  ///< these points; the first and the last are the ends
-  std::vector<bool> corners;  ///< of these, whether it may turn freely there; empty if nowhere
+  std::vector<SurfacePoint> fixed_points;  ///< these points, and both ends of an open curve
+  std::vector<bool> corners;  ///< per fixed point: whether its turn is free; empty for none
   /// Unless empty: the place on the drawing (DrawnLine) of each piece's start, not decreasing, and
   /// of the end.
   std::vector<double> drawn;
 
-  /// Appends a piece, with no crossings before it since the last.
+  /// Appends a piece. Halfedges that are later appended to `crossed` lie between this piece and the
+  /// next.
   void add(const CurveSegment& segment);
-  /// Lets the curve turn freely at those of its fixed points that are among these.
+  /// Lets the curve turn freely at its fixed points that are among `points`.
   void set_corners(std::span<const SurfacePoint> points);
-  /// Says that it is the drawing itself.
+  /// Sets `drawn` for a curve that is the drawing itself.
   void set_drawn();
-  /// The place on the drawing of a point of a piece; mesh units. Only where `drawn` is given.
+  /// The place on the drawing of a point of a piece; mesh units. `drawn` must not be empty.
   [[nodiscard]] double drawn_at(std::size_t piece, double arc) const;
-  /// Of the stretches between points that must stay, mesh units; for a loop the last one leads to
-  /// the first of these. One without such points is one stretch.
+  /// The lengths of the stretches between fixed points, mesh units. The last stretch of a loop
+  /// leads to its first fixed point. A loop without fixed points is one stretch.
   [[nodiscard]] std::vector<double> stretch_lengths() const;
   /// The number of the piece at this arc length.
   [[nodiscard]] std::size_t piece_at(double arc) const;
   [[nodiscard]] FaceCoordinates point(std::size_t piece, double arc) const;
 };
 
-/// At a vertex the curve passes over the fewer edges. Points of `fixed` that it passes must stay;
-/// ends of open curves do anyway. Throws Error(kBadCurve) where two neighbours have no common face.
-/// O(points).
+/// The trace of a curve. At a vertex the trace passes on the side with fewer edges. Points of the
+/// curve that are among `fixed` must stay; the ends of open curves stay anyway. Throws
+/// Error(kBadCurve) where two neighbours have no common face. O(points).
 CurveTrace trace_of(const Surface& surface, const SurfaceCurve& curve,
                     std::span<const SurfacePoint> fixed = {});
 
-/// The same for the points with these indices, ascending. The ends of open curves may be among
-/// them.
+/// The same with the indices of the fixed points, ascending. The ends of open curves may be among
+/// these.
 CurveTrace trace_through(const Surface& surface, const SurfaceCurve& curve,
                          std::span<const std::size_t> fixed);
 
 /// The halfedge of the face whose tail is the vertex, which is a corner of the face.
 HalfedgeId outgoing(const Surface& surface, FaceId face, VertexId v);
 
-/// Around a vertex from one face to another, counterclockwise (left) or clockwise; empty where they
-/// are one, or the boundary is in the way.
+/// The strip around a vertex from one face to another, counterclockwise (left) or clockwise; empty
+/// if both faces are the same or the boundary is in between.
 FaceStrip faces_around(const Surface& surface, FaceId from, FaceId to, VertexId v, bool left);
 
-/// Appends what is crossed on the way from one face to another at a point that both contain.
+/// Appends the halfedges that are crossed from one face to another at a point of both faces.
 void cross_at(const Surface& surface, const SurfacePoint& point, FaceId from, FaceId to,
               FaceStrip& crossed);
 

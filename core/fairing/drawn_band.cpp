@@ -31,7 +31,7 @@ void DrawnBand::add(const BandCurve& curve) {
   }
 }
 
-/// Null for another curve of the set.
+/// The width of a curve of the band; null for any other curve of the distance.
 const DrawnBand::Width* DrawnBand::width_of(std::uint32_t curve) const {
   const auto at = std::lower_bound(widths_.begin(), widths_.end(), curve,
                                    [](const Width& w, std::size_t c) { return w.curve < c; });
@@ -49,7 +49,7 @@ std::pair<double, double> DrawnBand::Width::slack_at(double arc) const {
   return {slack, step > 0 ? (slacks[i] - slacks[i - 1]) / step : 0};
 }
 
-/// Of the slack, between two of its own arcs.
+/// The least slack between two arc lengths of the curve.
 double DrawnBand::Width::least_between(double from, double to) const {
   double least = std::min(slack_at(from).first, slack_at(to).first);
   const auto first = std::upper_bound(arcs.begin(), arcs.end(), from);
@@ -85,7 +85,7 @@ BandPlace DrawnBand::at(const FaceCoordinates& point, PlanePoint direction) cons
   const auto value = distance_->at_face(point.face, point.barycentric, direction);
   BandPlace place{value.value, value.slope};
   set_width(place, value.curve, value.arc_length, value.arc_slope);
-  // On the drawing itself rounding makes the slopes; on both sides the distance grows as one goes.
+  // On the drawing itself the computed slopes are rounding noise; the distance grows to both sides.
   constexpr double kOnIt = 1e-6;  // slacks
   if (place.distance <= kOnIt * place.slack) {
     place.slope = 1;
@@ -106,8 +106,8 @@ bool DrawnBand::is_own(const BandPlace& place, double drawn) const {
          line_->stays_near(drawn, place.arc, place.wall);
 }
 
-/// The least of value(curve, its least slack) between two places of the line. On a ring the second
-/// one may lie on its next turn.
+/// The least of value(width, least slack) over the curves between two places of the line. On a ring
+/// the second place may lie on the next turn.
 template <class Value>
 double DrawnBand::least_along(double from, double to, const Value& value) const {
   double least = HUGE_VAL;

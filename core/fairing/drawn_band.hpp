@@ -1,4 +1,4 @@
-// The drawn band is where a fair curve may run: near its drawing, between two walls.
+// The drawn band is the strip along a drawing, between two walls, where a fair curve may run.
 #pragma once
 
 #include <algorithm>
@@ -16,41 +16,41 @@
 
 namespace talweg {
 
-/// How wide the band of a curve is; mesh units.
+/// The width of the band of a curve; lengths in mesh units.
 struct BandWidth {
   double slack = 0;                  ///< ε
-  std::span<const double> slack_at;  ///< unless empty, replaces it: at each point of the curve
-  double least_slack = 0;            ///< > 0; less counts as this
-  double walls = 1.2;                ///< W: their distance from the drawing, in slacks
-  double most = HUGE_VAL;            ///< they are never farther away than this
-  double middle = 1;                 ///< how much the middle draws, against other curves
+  std::span<const double> slack_at;  ///< unless empty, replaces `slack`: ε at each curve point
+  double least_slack = 0;            ///< > 0; lower bound of ε
+  double walls = 1.2;                ///< W: distance of the walls from the drawing, in slacks
+  double most = HUGE_VAL;            ///< upper bound of the distance of the walls
+  double middle = 1;                 ///< factor of FairOptions::middle on this curve
 };
 
-/// A curve that is faired, by its number among those of the distance.
+/// A curve that is faired, by its number among the curves of the distance.
 struct BandCurve {
   std::size_t curve = 0;
   BandWidth width;
-  double begin = 0;       ///< where it begins on the drawn line, mesh units
-  bool reversed = false;  ///< it runs against the drawn line, towards that place
+  double begin = 0;       ///< first place of the curve on the drawn line, mesh units
+  bool reversed = false;  ///< the curve runs against the drawn line and ends at `begin`
 };
 
-/// Where a point of the band lies; mesh units.
+/// The place of a point in the band; lengths in mesh units.
 struct BandPlace {
   double distance = 0;    ///< δ, to the drawing
-  double slope = 0;       ///< of δ along the direction that was asked for; 1 on the drawing itself
+  double slope = 0;       ///< derivative of δ along the given direction; 1 on the drawing itself
   double slack = 0;       ///< ε at the nearest point of the drawing
-  double wall = 0;        ///< the distance of the walls there
-  double wall_slope = 0;  ///< of that along the direction
+  double wall = 0;        ///< distance of the walls from the drawing there
+  double wall_slope = 0;  ///< derivative of `wall` along the direction
   double middle = 1;      ///< BandWidth::middle
-  double arc = NAN;       ///< of the nearest point on the drawn line; no number at other curves
+  double arc = NAN;       ///< place of the nearest point on the drawn line; NaN at other curves
 };
 
-/// The band of a curve that a PolylineDistance is set to, or of several that are joined: of these
-/// it is as wide as that of the nearest one. Refers to the distance.
-/// The line is the drawing of all of them in space; it may be null, and then every place is
-/// anybody's own, as wide as the narrowest.
-/// Cost of at(): the drawing's segments in the face and the windows on its sides that are near.
-/// Worse: thousands of points in one face.
+/// The band of one curve of a PolylineDistance, or of several joined curves: the width at a point
+/// is the width of the nearest of these curves. Where another curve of the distance is nearest, the
+/// narrowest width counts. Refers to the distance. `line` is the drawing of all these curves in
+/// space. Without a line, is_own() is true everywhere and slack_between() is the least slack. Cost
+/// of at(): the drawing's segments in the face and the windows on its sides that are near. The
+/// worst case is thousands of points in one face.
 class DrawnBand {
  public:
   DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)
@@ -60,17 +60,17 @@ class DrawnBand {
 
   [[nodiscard]] BandPlace at(const FaceCoordinates& point, PlanePoint direction) const;
   [[nodiscard]] BandPlace at(const SurfacePoint& point) const;
-  /// Whether a place is in the part of the band that belongs to this place on the line: what is
-  /// drawn from there to the nearest point stays within the distance of a wall. Else another strand
-  /// is nearer.
+  /// Whether a place belongs to the strand of the drawing at `drawn`, a place on the line: the
+  /// drawing from `drawn` to the nearest point stays within a wall's distance. Otherwise another
+  /// strand is nearer.
   [[nodiscard]] bool is_own(const BandPlace& place, double drawn) const;
-  /// Whether a straight line from one place on the line to another cuts something off that is
-  /// farther from it than nearly the walls are.
+  /// Whether a straight line between two places on the line cuts off a part of the drawing that is
+  /// farther from the straight line than 0.8 of the walls' distance.
   [[nodiscard]] bool cuts_off(double from, double to) const;
   /// The least slack anywhere along the curve, and the largest.
   [[nodiscard]] double least_slack() const;
   [[nodiscard]] double largest_slack() const;
-  /// The least slack between two places on the line, of which the second lies ahead.
+  /// The least slack between two places on the line, the second ahead of the first.
   [[nodiscard]] double slack_between(double from, double to) const;
 
  private:
@@ -84,7 +84,7 @@ class DrawnBand {
     [[nodiscard]] double on_line(double arc) const {
       return begin + (reversed ? length - arc : arc);
     }
-    /// And how it changes along the curve.
+    /// The slack and its derivative by arc length.
     [[nodiscard]] std::pair<double, double> slack_at(double arc) const;
     [[nodiscard]] double least_between(double from, double to) const;
     [[nodiscard]] double wall_for(double slack) const {

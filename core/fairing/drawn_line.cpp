@@ -39,11 +39,11 @@ double DrawnLine::between(double from, double to) const {
   return std::remainder(to - from, length());
 }
 
-/// Whether look() holds for all points between two places of which the second lies ahead.
+/// Whether look() is true for all points between two places, the second ahead of the first.
 template <class Look>
 bool DrawnLine::holds_between(double from, double to, const Look& look) const {
   const double start = wrapped(from);
-  double ahead = to - from;  // how much of the way is left from `start` of this turn
+  double ahead = to - from;  // the remaining arc length from `first` on
   for (double first = start; ahead > 0; first = 0) {
     const auto begin = std::upper_bound(arcs_.begin(), arcs_.end(), first);
     const auto end = std::lower_bound(begin, arcs_.end(), first + ahead);

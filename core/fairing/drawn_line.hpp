@@ -1,4 +1,5 @@
-// A drawn line is a drawing in space, measured along it: which part of it belongs to a sample.
+// A drawn line is a drawing in space with arc lengths, which tell the part that belongs to a
+// sample.
 #pragma once
 
 #include <cstddef>
@@ -8,24 +9,24 @@
 
 namespace talweg {
 
-/// Places are arc lengths from the first point, mesh units; on a closed line they may be given a
-/// whole length more or less.
+/// Places are arc lengths from the first point, mesh units. On a closed line, places that differ by
+/// the length of the line are the same.
 class DrawnLine {
  public:
   /// The points of a polyline in space, at least one.
   DrawnLine(std::vector<Point> points, bool closed);
 
   [[nodiscard]] double length() const { return arcs_.back(); }
-  /// O(log points).
+  /// The point at a place. O(log points).
   [[nodiscard]] Point at(double arc) const;
-  /// The way along the line from one place to another, the shorter one on a closed line; backwards
-  /// negative.
+  /// The arc length from one place to another, the shorter way on a closed line; negative
+  /// backwards.
   [[nodiscard]] double between(double from, double to) const;
-  /// Whether what is drawn between two places, on the shorter way, is nowhere farther than this
-  /// (mesh units) from the first. O(points between them).
+  /// Whether the line between two places, on the shorter way, stays within `distance` (mesh units)
+  /// of the first place. O(points between the places).
   [[nodiscard]] bool stays_near(double from, double to, double distance) const;
-  /// Whether what is drawn from one place on to another is nowhere farther than this from the
-  /// straight line between them. O(points between them).
+  /// Whether the line from one place on to another stays within `distance` of the straight segment
+  /// between the two places. O(points between the places).
   [[nodiscard]] bool is_straight(double from, double to, double distance) const;
 
  private:
@@ -34,7 +35,7 @@ class DrawnLine {
   bool holds_between(double from, double to, const Look& look) const;
 
   std::vector<Point> points_;
-  std::vector<double> arcs_;  // of the points; of a closed line also that of its end
+  std::vector<double> arcs_;  // of the points, and of the end of a closed line
   bool closed_;
 };
 

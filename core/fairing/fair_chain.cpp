@@ -22,7 +22,8 @@ void append(const ChainMove& move, SampleTrail& trail) {
   }
 }
 
-/// Makes steps that are almost those of another move exactly these, so that it can be taken over.
+/// Replaces steps that almost equal the steps of another move by the steps of this move, so that
+/// its samples are reused.
 void take_over(const SampleChain& chain, const ChainMove& other, std::vector<double>& left) {
   constexpr double kAlmost = 1e-4;  // of a join
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -34,8 +35,9 @@ void take_over(const SampleChain& chain, const ChainMove& other, std::vector<dou
 
 }  // namespace
 
-/// Loops keep their size: what counts is how far their curvature is from its mean. A loop that
-/// bends little would grow until it meets its outer wall. One with a corner is as an open curve.
+/// The energy of a loop measures the curvature against its mean, so that the loop keeps its size. A
+/// loop of least bending would grow until it meets its outer wall. A loop with a corner counts as
+/// an open curve.
 double FairChain::mean_curvature(const SampleChain& chain) {
   if (!chain.closed) return 0;
   if (std::find(chain.corners.begin(), chain.corners.end(), true) != chain.corners.end()) return 0;
@@ -52,7 +54,7 @@ bool FairChain::is_on_leg(const SampleChain& chain, std::size_t i) const {
          legs_->is_on_leg(chain.join_after(i));
 }
 
-/// A loose sample has walls around its way-point, others on legs have none.
+/// A loose sample has walls around its way-point; other samples on legs have no walls.
 BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double offset) const {
   constexpr double kScale = 2;  // of a step, in joins
   if (is_loose(chain, i) && !reach_.empty()) {
@@ -65,7 +67,8 @@ BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double of
   return {0, 0, scale, HUGE_VAL, 0};
 }
 
-/// Of the samples that are not anew, places are known already.
+/// Computes the places of the samples that `anew` marks; the places of other samples are known
+/// already.
 void FairChain::measure(const SampleChain& chain, const std::vector<double>& offsets,
                         const std::vector<bool>& anew, std::vector<BandPlace>& places) const {
   places.resize(chain.size());
@@ -74,7 +77,7 @@ void FairChain::measure(const SampleChain& chain, const std::vector<double>& off
   }
 }
 
-/// A sample's part of the tension's energy.
+/// The share of a sample in the energy of the tension.
 double FairChain::pull_at(const SampleChain& chain, std::size_t i) const {
   if (pull_.empty()) return 0;
   const std::size_t n = chain.joins.size();
@@ -86,7 +89,7 @@ double FairChain::pull_at(const SampleChain& chain, std::size_t i) const {
   return sum / 2;
 }
 
-/// The bending of a join of a leg: what it turns at vertices, over its length.
+/// The bending of a join of a leg: its squared turns at vertices over its length.
 double FairChain::bend_at(const SampleChain& chain, std::size_t join) const {
   const ChainJoin& j = chain.joins[join];
   if (!j.bends || !has_legs() || !legs_->is_on_leg(j)) return 0;
@@ -117,10 +120,11 @@ std::vector<FairChain::LegBending> FairChain::bendings_of_legs(const SampleChain
   return legs;
 }
 
-/// Sets the tension to c ∫κ² ds / length of the legs as they are. Lower energy at this tension
-/// means a lower product ∫κ² ds · length^c, too. A hard place, as where two clicks lie beside each
-/// other, must not draw all other legs tight: no leg counts for more than five times as much as
-/// the median one does for its length, or than a turn of 1.8 rad on a leg of the mean length.
+/// Sets the tension to c ∫κ² ds / length of the present legs. Lower energy at this tension means a
+/// lower product ∫κ² ds · length^c, too. A sharp bend, such as between two clicks side by side,
+/// must not draw all other legs tight. The bending per length of a leg therefore counts for at most
+/// five times the median of the legs, or, if more, for the bending of a turn of 1.8 rad over a leg
+/// of the mean length.
 void FairChain::balance(const SampleChain& chain) {
   if (!has_legs()) return;
   constexpr double kOfMedian = 5, kTurn = 1.8;  // rad
@@ -187,7 +191,8 @@ void FairChain::set_rows(const SampleChain& chain) {
     const double curvature = chain.turns[i] / row.weight;
     row.rest = curvature - mean;
     const double before = 1 / (row.weight * in.last_leg), after = 1 / (row.weight * out.first_leg);
-    // A line that bends at a vertex turns about it: the samples beyond have no part in it.
+    // A join that bends at a vertex turns about this vertex, so the sample at its other end has no
+    // part in the row.
     row.before = in.bends ? 0 : before;
     row.after = out.bends ? 0 : after;
     const double most = 1 / (row.weight * row.weight);
@@ -196,7 +201,8 @@ void FairChain::set_rows(const SampleChain& chain) {
   }
 }
 
-/// All but the walls, which solve() adds: they change from round to round.
+/// Assembles the system of a step without the walls, which change from round to round; solve() adds
+/// them.
 void FairChain::assemble(const SampleChain& chain) {
   system_.reset(chain.size(), chain.closed);
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -248,7 +254,8 @@ void FairChain::add_pull(const SampleChain& chain) {
   }
 }
 
-/// A sample that moves to the left turns the join by as much as it sees it move.
+/// Adds the rows of the turns at vertices. A sample that moves by d to the left raises the turn at
+/// the next bend of its join by d / ℓ, where ℓ is the distance from the sample to the bend.
 void FairChain::add_bends(const SampleChain& chain) {
   if (!has_legs()) return;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
@@ -264,10 +271,11 @@ void FairChain::add_bends(const SampleChain& chain) {
   }
 }
 
-/// Which walls are felt follows from the step, and the step from them. A first try starts with
-/// those that are felt without a step, another one of the same step with those that the last has
-/// found. A step may lead across the drawing, and beyond the wall on its other side: on the drawing
-/// itself, rounding decides which side has the positive distance.
+/// Solves for a step and the walls that it touches, in rounds, because the step depends on the
+/// walls and the walls on the step. The first try starts with the walls that are felt without a
+/// step, a later try of the same step with the walls of the last try. A step may lead across the
+/// drawing, and beyond the wall on the other side: on the drawing itself, rounding decides which
+/// side has the positive distance.
 bool FairChain::solve(const SampleChain& chain, bool first, std::vector<double>& left) {
   const auto felt_wall = [&](std::size_t i, double step) {
     if (chain.fixed[i]) return 0;
@@ -311,8 +319,9 @@ void FairChain::limit(const SampleChain& chain, std::vector<double>& left) const
   for (double& d : left) d *= part;
 }
 
-/// A line that passes over a vertex turns by what the surface is curved there, which the rows do
-/// not know. Holds the samples where that makes the step worse; tells whether there are any.
+/// A join that passes over a vertex changes its turns by the angle defect of the vertex, which the
+/// rows do not contain. Holds the samples where such a jump raises the energy; true if there are
+/// any.
 bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved,
                               const std::vector<double>& left, const std::vector<double>& now) {
   const std::size_t n = chain.size();
@@ -337,13 +346,13 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
   return any;
 }
 
-/// Whether a place of a sample is between the walls of its own part of the drawing.
+/// Whether a place of a sample is between the walls, in the sample's own part of the band.
 bool FairChain::is_inside(const SampleChain& chain, std::size_t i, const BandPlace& place) const {
   return place.distance <= place.wall &&
          (chain.drawn.empty() || std::isnan(place.arc) || band_->is_own(place, chain.drawn[i]));
 }
 
-/// Holds the samples that are inside and would be outside; tells whether there are any.
+/// Holds the samples that are inside and that the step leads outside; true if there are any.
 bool FairChain::hold_leaving(const SampleChain& chain, const SampleChain& moved,
                              const std::vector<BandPlace>& now) {
   bool any = false;
@@ -356,7 +365,7 @@ bool FairChain::hold_leaving(const SampleChain& chain, const SampleChain& moved,
   return any;
 }
 
-/// One step that lowers the energy; false if none is found.
+/// Makes one step that lowers the energy; false if none is found.
 bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   set_rows(chain);
   assemble(chain);

@@ -18,22 +18,24 @@ namespace talweg {
 struct FairOptions {
   double middle = 1e-3;         ///< β
   double stiffness = 10;        ///< ρ, of the walls
-  double felt = 0.8;            ///< the walls that are felt, as part of the band's
-  double tolerance = 3e-3;      ///< relative gain in energy below which it ends
+  double felt = 0.8;            ///< distance of the felt walls, relative to the band's walls
+  double tolerance = 3e-3;      ///< relative gain in energy below which the run ends
   double leg_tolerance = 1e-4;  ///< the same for a chain with legs
   int max_iterations = 60;
-  std::optional<double> mean;  ///< κ₀ of the chain that this one is a part of, 1 / mesh units
+  std::optional<double> mean;  ///< κ₀ of the whole chain, for a part of a chain; 1 / mesh units
 };
 
 /// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
-/// samples of a chain by Gauss and Newton's method; W is the distance of the walls that are felt,
-/// κ₀ the mean curvature of a loop, 0 for an open chain and for a loop with corners, where turns
-/// cost nothing. On legs there is no drawing: t · length, their tension, stands for the terms with
-/// δ. Where places on the drawing are known, samples that a step would lead out of the walls, or
-/// into the part of the band that belongs to another strand, are held; the step is solved again up
-/// to six times, and may then lead some out. docs/algorithm.md has all of it. Cost of an iteration:
-/// samples + the faces that joins and steps pass, and a DrawnBand::at() for each sample that moves.
-/// It ends after 60 iterations, or 5,000 such faces for each sample.
+/// samples of a chain by Gauss and Newton's method. θᵢ is the turn at sample i, wᵢ half the length
+/// of its two joins, δᵢ its distance to the drawing, εᵢ the slack and Wᵢ the distance of the felt
+/// walls there. κ₀ is the mean curvature of a loop, and 0 for an open chain and for a loop with
+/// corners. Turns at corners cost nothing. Legs have no drawing: their tension, t · length,
+/// replaces the terms with δ. Where places on the drawing are known, the samples that a step would
+/// lead out of the walls, or into the part of the band that belongs to another strand, are held,
+/// and the step is solved again, up to six times; the last step may lead samples out.
+/// docs/algorithm.md describes the method. Cost of an iteration: samples + the faces that joins and
+/// steps pass, and a DrawnBand::at() for each sample that moves. A run ends after 60 iterations, or
+/// 1,000 such faces for each sample.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.
@@ -41,36 +43,36 @@ class FairChain {
             const FairOptions& options)
       : maker_(&maker), band_(band), options_(options), curvature_(&curvature) {}
 
-  /// Refers to the tension. Per sample how far a loose one may move, mesh units; where that is not
-  /// given, loose samples stay.
+  /// Refers to the tension. `reach`: per sample, the largest offset of a loose sample, mesh units;
+  /// loose samples stay if `reach` is empty.
   void set_legs(const LegTension& tension, std::vector<double> reach = {}) {
     legs_ = &tension;
     reach_ = std::move(reach);
   }
 
-  /// The chain keeps its number of samples; their ways are added to the trail, unless it is null.
-  /// Ends early, after a whole step or before the first, when the asker's budget is used up. Throws
-  /// Cancelled.
+  /// Makes steps until the energy hardly falls. The chain keeps its number of samples. The ways of
+  /// the samples are appended to the trail, unless it is null. Ends early, after a whole step or
+  /// before the first, when the asker's budget is used up. Throws Cancelled.
   void run(SampleChain& chain, SampleTrail* trail, Asker& asker);
-  /// Makes the walls stiffer where samples of the chain that run() left are beyond the band's, or
-  /// almost; tells whether there are any.
+  /// Makes the walls stiffer where samples of the chain are beyond the band's walls after run(), or
+  /// almost; true if there are such samples.
   bool stiffen(const SampleChain& chain);
-  /// Those samples, ascending.
+  /// The samples beyond the band's walls after run(), or almost, ascending.
   [[nodiscard]] std::vector<std::size_t> near_walls(const SampleChain& chain) const;
   [[nodiscard]] const FairOptions& options() const { return options_; }
-  /// Whether the last run ended because the chain winds through more faces than it is worth: around
-  /// a vertex that is far away, each step passes thousands of needles.
+  /// Whether the last run ended because the chain passes too many faces: in a fan of needles around
+  /// a distant vertex, each step passes thousands of faces.
   [[nodiscard]] bool is_lost() const { return lost_; }
   /// κ₀ of a chain without legs, 1 / mesh units.
   [[nodiscard]] static double mean_curvature(const SampleChain& chain);
-  /// Per sample: how far it has moved to the left in all, mesh units.
+  /// Per sample: the sum of its steps to the left, mesh units.
   [[nodiscard]] const std::vector<double>& offsets() const { return offsets_; }
-  /// The tension t of the legs whose own is not stronger, 1 / mesh units².
+  /// The tension t of the legs with a LegTension::factor() of 1, 1 / mesh units².
   [[nodiscard]] double tension() const { return common_pull_; }
 
  private:
   struct Row {
-    double before = 0, here = 0, after = 0, rest = 0;  ///< of the curvature, linear in the steps
+    double before = 0, here = 0, after = 0, rest = 0;  ///< κ − κ₀, linear in the steps
     double weight = 0;                                 ///< wᵢ
   };
   [[nodiscard]] bool has_legs() const { return legs_ != nullptr; }
@@ -123,10 +125,10 @@ class FairChain {
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample
   std::vector<Row> rows_;
-  BandSystem system_, with_walls_;  // of a step, without walls and with those that are felt
+  BandSystem system_, with_walls_;  // of a step: without walls, with the felt walls
   std::vector<double> stiffness_;   // per sample
-  std::vector<int> active_;         // per sample: whether its wall is felt; -1 across the drawing
-  std::vector<int> held_;           // per sample: whether it stays
+  std::vector<int> active_;         // per sample: 1 if its wall is felt; -1 across the drawing
+  std::vector<int> held_;           // per sample: whether the step leaves it in place
 };
 
 }  // namespace talweg

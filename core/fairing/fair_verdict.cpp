@@ -22,7 +22,7 @@ bool is_near_boundary(const Surface& surface, EdgeId edge) {
   return false;
 }
 
-/// Whether a point is at the boundary, or as near as rounding tells.
+/// Whether a point is at the boundary, up to rounding.
 bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return surface.on_boundary(v->vertex);
   const auto* edge = std::get_if<OnEdge>(&point.where());
@@ -38,7 +38,7 @@ bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
   return false;
 }
 
-/// How many of a curve's points are at the boundary.
+/// The number of a curve's points at the boundary.
 std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
   return static_cast<std::size_t>(
       std::count_if(curve.points.begin(), curve.points.end(),
@@ -96,7 +96,7 @@ bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
 namespace {
 
 /// Calls look() with the turns at points that are no corners, without the ends of an open curve,
-/// until it returns false.
+/// until look() returns false.
 template <class Look>
 void look_at_turns(const Surface& surface, const SurfaceCurve& curve,
                    std::span<const SurfacePoint> corners, const Look& look) {

@@ -1,4 +1,4 @@
-// The verdict on a fair curve: it must not be worse than what it started from.
+// The verdict on a fair curve rests on measures: bending, turns, and points at the boundary.
 #pragma once
 
 #include <numbers>
@@ -15,28 +15,27 @@ namespace talweg {
 double bending_between(const Surface& surface, const SurfaceCurve& curve,
                        std::span<const SurfacePoint> corners, double edge);
 
-/// Whether a curve turns by `least` (radians) or more in all, without its turns at corners. Looks
-/// no farther than to where it has.
+/// Whether a curve turns by `least` (radians) or more in all, without its turns at corners. Stops
+/// at the point where the sum reaches `least`.
 bool turns_by(double least, const Surface& surface, const SurfaceCurve& curve,
               std::span<const SurfacePoint> corners);
 
-/// No point of a fair curve turns by more, radians; corners may.
+/// The largest turn at a point of a fair curve that is no corner, radians.
 constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
 
-/// The largest turn at one point (radians) that is no corner.
+/// The largest turn (radians) at a point that is no corner.
 double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
                             std::span<const SurfacePoint> corners);
 
-/// Whether a curve turns so little between corners, at each point and in each window of one `edge`
-/// length (mesh units), and stays so clear of the boundary, that it is fair whatever it started
-/// from.
+/// Whether a curve is fair without a comparison: between corners it turns little, at each point and
+/// in each window of one `edge` length (mesh units), and only its ends may be at the boundary.
 bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
                std::span<const SurfacePoint> corners, double edge);
 
-/// Whether a fair curve lies along the boundary where the taut one at most ends there.
+/// Whether a fair curve has more points at the boundary than the taut curve, which has at most two.
 bool is_pressed(const Surface& surface, const SurfaceCurve& fair, const SurfaceCurve& taut);
 
-/// Where a fair curve lies along the boundary, if it is_pressed().
+/// The points of a fair curve at the boundary if it is_pressed(), else none.
 std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCurve& fair,
                                          const SurfaceCurve& taut);
 

@@ -13,7 +13,7 @@
 namespace talweg {
 namespace {
 
-/// Orders points; equal ones are the same point.
+/// A key to sort points; equal keys are equal points.
 auto key_of(const SurfacePoint& point) {
   using Key = std::tuple<std::size_t, std::size_t, double, double, double>;
   const auto& where = point.where();
@@ -24,7 +24,7 @@ auto key_of(const SurfacePoint& point) {
 }
 using Key = decltype(key_of(std::declval<const SurfacePoint&>()));
 
-/// One of both ends of an open curve: 0 where it begins, 1 where it ends.
+/// An end of an open curve: side 0 is its first point, side 1 its last point.
 struct End {
   std::size_t curve = 0, side = 0;
 };
@@ -52,7 +52,7 @@ std::vector<Meeting> sorted_ends(std::span<const SurfaceCurve> curves) {
   return ends;
 }
 
-/// For each end the one that it meets.
+/// The end that each end meets, if any.
 class Links {
  public:
   explicit Links(std::size_t curves) : links_(curves) {}
@@ -74,7 +74,7 @@ Links links_between(const Surface& surface, std::span<const SurfaceCurve> curves
                     const std::function<bool(std::size_t, std::size_t)>& may_join) {
   Links links(curves.size());
   const std::vector<Meeting> ends = sorted_ends(curves);
-  std::vector<std::size_t> pairs;  // where they begin among the ends
+  std::vector<std::size_t> pairs;  // the index of their first end in `ends`
   for (std::size_t i = 0; i < ends.size();) {
     std::size_t j = i + 1;
     while (j < ends.size() && ends[j].at == ends[i].at) ++j;

@@ -1,4 +1,4 @@
-// Joined curves continue each other where two ends of a set meet, and are faired as one curve.
+// Joined curves are curves of a set whose ends meet, and are faired as one curve.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace talweg {
 
-/// Curves of a set, each of which begins where the one before ends; or one curve alone.
+/// Curves of a set, each of which begins where the previous curve ends; or one curve alone.
 struct JoinedCurves {
   struct Part {
     std::size_t curve = 0;
@@ -20,30 +20,30 @@ struct JoinedCurves {
     bool operator==(const Part&) const = default;
   };
   std::vector<Part> parts;
-  bool is_ring = false;  ///< the last part also ends where the first one begins
+  bool is_ring = false;  ///< the last part also ends where the first part begins
 
   bool operator==(const JoinedCurves&) const = default;
   [[nodiscard]] bool is_joined() const { return is_ring || parts.size() > 1; }
 };
 
-/// All curves, joined where exactly two ends of open curves lie at one point, nothing else of the
-/// set passes it, it is neither at the boundary nor among `corners`, and `may_join` both curves.
-/// O(n log n) for n points.
+/// All curves, joined at points where exactly two ends of open curves meet. No other curve of the
+/// set may pass such a point, the point may be neither at the boundary nor among `corners`, and
+/// `may_join` must accept both curves. O(n log n) for n points.
 std::vector<JoinedCurves> joined_curves(
     const Surface& surface, std::span<const SurfaceCurve> curves,
     std::span<const SurfacePoint> corners,
     const std::function<bool(std::size_t, std::size_t)>& may_join);
 
-/// The curves of the parts, in their order, as one. A ring is closed, and begins where its first
-/// part does.
+/// Joins the curves of the parts, in order, to one curve. The curve of a ring is closed, and begins
+/// where the first part begins.
 SurfaceCurve joined_parts(const JoinedCurves& joined, std::vector<SurfaceCurve> parts);
-/// The same, of all curves of the set.
+/// The same with all curves of the set.
 SurfaceCurve joined(const JoinedCurves& joined, std::span<const SurfaceCurve> curves);
-/// Where parts meet: after each part but the last; of a ring, before each.
+/// The points where parts meet: after each part but the last; for a ring, before each part.
 std::vector<SurfacePoint> junctions(const JoinedCurves& joined,
                                     std::span<const SurfaceCurve> curves);
-/// The parts of a curve that passes the junctions in their order, in the directions of the curves;
-/// the curve itself where it is one alone.
+/// Splits a curve that passes the junctions in order into its parts, each in the direction of its
+/// own curve; a curve alone stays whole.
 std::vector<SurfaceCurve> parted(const JoinedCurves& joined,
                                  std::span<const SurfacePoint> junctions, SurfaceCurve curve);
 

@@ -1,4 +1,4 @@
-// Legs are the stretches of a chain that no stroke holds: they are drawn straight by tension.
+// Legs are the stretches of a chain without a stroke; tension draws them straight.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace talweg {
 
-/// Which stretches of a chain are legs, and what pulls on them. A stretch leads from a fixed point
-/// to the next; the last one of a closed chain leads to the first fixed point.
+/// The legs among the stretches of a chain, and their tension. A stretch leads from a fixed point
+/// to the next; the last stretch of a closed chain leads to the first fixed point.
 struct LegTension {
-  /// c: legs minimise ∫κ² ds · (their length)^c. What is inserted on such a curve leaves it as it
-  /// is, and it does not depend on the unit. 0 or more.
+  /// c >= 0: legs minimise ∫κ² ds · length^c. The minimum does not change when a fixed point is
+  /// inserted on it, and does not depend on the unit of length.
   double relative = 0;
-  std::vector<bool> is_leg;        ///< per stretch; empty where none is
+  std::vector<bool> is_leg;        ///< per stretch; empty without legs
   std::vector<double> stronger;    ///< per stretch: factor of its tension, >= 1
   std::vector<double> tolerances;  ///< per fixed point, mesh units
-  /// 1 / mesh units²; replaces c ∫κ² ds / length, at which it would balance.
+  /// The tension t, 1 / mesh units²; replaces the balanced tension c ∫κ² ds / length.
   std::optional<double> tension;
 
   [[nodiscard]] bool any() const;

@@ -1,4 +1,4 @@
-// Points of a curve that hardly differ from the one before or behind them.
+// Near points of a curve hardly differ from the previous or the next point.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@ namespace talweg {
 
 struct KeptPoint {
   SurfacePoint point;
-  double arc = 0;      ///< how far along the curve, mesh units
-  bool stays = false;  ///< whatever is near
+  double arc = 0;      ///< arc length along the curve, mesh units
+  bool stays = false;  ///< neither dropped nor moved
 };
 
-/// Drops points that are nearer than `near` (mesh units) to a neighbour along the curve of
-/// `length`, where their neighbours share a face: on so short a way rounding makes a turn of any
-/// size. Of several that are near each other one at a vertex is kept. O(points).
+/// Drops points that are nearer than `near` (mesh units) to a neighbour along the curve of length
+/// `length`, if both neighbours share a face: over so short a distance rounding can make a turn of
+/// any size. Among points near each other, a point at a vertex is kept. O(points).
 void drop_near_points(const Surface& surface, bool closed, double length, double near,
                       std::vector<KeptPoint>& points);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kAside = 1.0 / 100;           // of the distance to the nearer neighbour
 constexpr double kLeastGain = kPi / 360;       // rad
-constexpr double kMostTurn = 3.5 * kPi / 180;  // more would be a visible kink there
+constexpr double kMostTurn = 3.5 * kPi / 180;  // a larger turn is a visible kink
 
 /// The angle between two directions, in [0, π].
 double angle_of(PlanePoint a, PlanePoint b) { return std::atan2(std::abs(cross(a, b)), dot(a, b)); }
@@ -44,7 +44,7 @@ SaddlePassing::Side SaddlePassing::side(const FaceCoordinates& from, const FaceC
   return side;
 }
 
-/// The point in the middle of the side's angle, and how many crossings lie before it.
+/// The point in the middle of the side's angle; sets `before` to the number of crossings before it.
 FaceCoordinates SaddlePassing::in_middle(const Side& side, const FaceCoordinates& from,
                                          VertexId vertex, double aside, std::size_t& before) const {
   before = static_cast<std::size_t>(
@@ -130,7 +130,7 @@ SurfaceCurve SaddlePassing::led_past(const std::vector<KeptPoint>& points, bool 
     curve.points.insert(in_front ? curve.points.begin() : curve.points.end(), more.begin(),
                         more.end());
   };
-  // The first point of a closed curve comes last, when it is known what is on both of its sides.
+  // The first point of a closed curve is replaced last, when both of its neighbours are known.
   const bool later = closed && n > 1;
   for (std::size_t i = later ? 1 : 0; i < n; ++i) {
     const SurfacePoint& before = curve.points.empty() ? points.front().point : curve.points.back();

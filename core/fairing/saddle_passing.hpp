@@ -1,4 +1,4 @@
-// A curve that bends at a saddle vertex passes it on one side instead.
+// Saddle passing moves a curve that bends at a saddle vertex to one side of the vertex.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,21 @@
 namespace talweg {
 
 /// Moves curves off saddle vertices. At a vertex a curve turns by half the difference of the angles
-/// on both sides, though it may be straight on one of them.
+/// on both sides, although it may be straight on one side.
 class SaddlePassing {
  public:
   explicit SaddlePassing(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
-  /// The curve of these points, led past the saddle vertices at which it need not stay. Its
-  /// points and the next share a face, as they do before. The ends of an open curve stay. O(points
-  /// + degrees of the vertices that it passes).
+  /// The curve through these points, led past the saddle vertices at which it need not stay. Each
+  /// point and the next share a face, as in `points`. The ends of an open curve stay. O(points +
+  /// degrees of the passed vertices).
   SurfaceCurve led_past(const std::vector<KeptPoint>& points, bool closed);
 
  private:
-  /// What takes the place of a point at a vertex: points beside it, 1/100 as far from it as the
-  /// nearer neighbour, on the side on which the curve turns less. The point itself where that
-  /// is no gain, where it would be a kink of more than 3.5 degrees and of more than half, or at the
-  /// boundary.
+  /// The replacement of a point at a vertex: points beside the vertex, 1/100 as far from it as the
+  /// nearer neighbour, on the side where the curve turns less. The point itself at the boundary,
+  /// where the turn does not decrease, and where the new turn exceeds 3.5 degrees and half the old
+  /// turn.
   std::vector<SurfacePoint> beside(const SurfacePoint& before, VertexId vertex,
                                    const SurfacePoint& after);
 
@@ -34,7 +34,7 @@ class SaddlePassing {
   struct Side {
     FaceStrip strip;
     std::vector<double> angles;  ///< from the first neighbour to each crossing
-    double sweep = 0;            ///< to the other one
+    double sweep = 0;            ///< from the first neighbour to the other
     bool ccw = false;
   };
   [[nodiscard]] Side side(const FaceCoordinates& from, const FaceCoordinates& to, VertexId vertex,

@@ -36,8 +36,9 @@ PlanePoint SampleChain::tangent(std::size_t i) const {
   return length > 1e-3 ? (1 / length) * sum : turned_left(in);
 }
 
-/// A line that bends at a saddle vertex is the limit of curves that pass it on either side, where
-/// they turn differently; a curve through the vertex turns by half of both.
+/// The turn of a line that bends at a saddle vertex. The line is the limit of curves that pass the
+/// vertex on either side, with different turns; a curve through the vertex has the mean of both
+/// turns. The least of the three turns counts.
 double ChainMaker::turn_at(VertexId bend, double in_strip) const {
   if (surface_->on_boundary(bend)) return 0;
   double other = in_strip + (in_strip > 0 ? 2 : -2) * std::numbers::pi;
@@ -54,7 +55,7 @@ double ChainMaker::turn_at(VertexId bend, double in_strip) const {
   return less((in_strip + other) / 2, less(in_strip, other));
 }
 
-/// Joins by the strip that is in strip_.
+/// Appends the join through the strip in strip_; false if no line is found.
 bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
                           const FaceCoordinates& to, std::uint32_t stretch) {
   const StripLine line = lines_.join(from, to, strip_);
@@ -77,8 +78,8 @@ bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
 
 namespace {
 
-/// A point a little before the end of a join, or behind its start; none in a face without area,
-/// where there are no directions.
+/// A point of a join near its end or start `at`, in the direction `back`; none in a face without
+/// area, which has no directions.
 std::optional<SurfacePoint> beside(const Surface& surface, const FaceCoordinates& at,
                                    PlanePoint back, double length) {
   constexpr double kLittle = 1e-3;
@@ -102,7 +103,8 @@ std::optional<SurfacePoint> beside(const Surface& surface, const FaceCoordinates
 
 }  // namespace
 
-/// At a sample on an edge or at a vertex its joins may lie in different faces.
+/// The turn from one join to the next. The joins may lie in different faces if their sample is on
+/// an edge or at a vertex.
 double ChainMaker::turn_between(const ChainJoin& in, const ChainJoin& out) const {
   if (in.to.face == out.from.face) {
     return std::atan2(cross(in.end, out.start), dot(in.end, out.start));
@@ -125,14 +127,14 @@ void ChainMaker::set_turns(SampleChain& chain) const {
 
 namespace {
 
-/// Where samples are to lie on a trace.
+/// The place of a sample on a trace.
 struct Place {
   std::size_t piece = 0;
   double arc = 0;
   bool fixed = false;
 };
 
-/// A free place; on a loop arcs may be a length more.
+/// The place of a free sample; on a loop, `arc` may exceed the length.
 Place place_at(const CurveTrace& trace, double arc) {
   if (arc >= trace.length) arc -= trace.length;
   return {trace.piece_at(arc), arc, false};
@@ -190,7 +192,7 @@ std::vector<Place> places_on(const CurveTrace& trace, std::span<const double> sp
     }
   }
   if (!trace.closed) places.push_back(fixed.back());
-  // A loop begins where its arc does.
+  // The samples of a loop begin where its arc length begins.
   std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
     return a.piece != b.piece ? a.piece < b.piece : a.arc < b.arc;
   });
@@ -228,7 +230,7 @@ std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace,
   };
   const auto fixed =
       static_cast<std::uint32_t>(std::count(chain.fixed.begin(), chain.fixed.end(), true));
-  std::uint32_t stretch = fixed > 0 ? fixed - 1 : 0;  // a loop may begin in its last one
+  std::uint32_t stretch = fixed > 0 ? fixed - 1 : 0;  // a loop may begin in its last stretch
   for (std::size_t i = 0; i < joins; ++i) {
     const std::size_t j = chain.after(i);
     if (chain.fixed[i]) stretch = stretch + 1 < fixed ? stretch + 1 : 0;
@@ -243,7 +245,7 @@ std::optional<SampleChain> ChainMaker::sampled(const CurveTrace& trace,
   return chain;
 }
 
-/// A walk that the boundary would stop ends a little before it.
+/// Walks a step; a walk that reaches the boundary ends `off` before it.
 WalkEnd ChainMaker::walk_off_boundary(const FaceCoordinates& from, const SampleStep& step,
                                       double off, FaceStrip& crossed) const {
   const std::size_t known = crossed.size();
@@ -278,7 +280,7 @@ std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
   return std::move(result.chain);
 }
 
-/// Moves the samples of a move that are anew; the others are those of the other move.
+/// Moves the samples that move.anew marks, and copies the other samples from `other`.
 bool ChainMaker::walk(const SampleChain& chain, std::span<const SampleStep> steps,
                       const ChainMove* other, ChainMove& move) {
   move.chain.samples = chain.samples;
@@ -340,7 +342,8 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
   return true;
 }
 
-/// A fixed sample may have joins in different faces; a free one lies in that of the join after it.
+/// A fixed sample may have joins in different faces; the freed sample lies in the face of the join
+/// after it.
 std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
                                                 const std::vector<bool>& loose) {
   SampleChain result;
@@ -422,8 +425,8 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
   return result;
 }
 
-/// Appends samples beside a straight leg, on the cubic that has these slopes at its ends. Each
-/// keeps its way from where the leg begins.
+/// Appends samples beside a straight leg, on the cubic with the leg's slopes at both ends. Each
+/// inserted sample has its way from the start of the leg.
 bool ChainMaker::insert_beside(const Leg& leg, int parts, std::vector<Inserted>& inserted) {
   WalkEnd on{leg.from, leg.direction, 0};
   FaceStrip along;
@@ -447,7 +450,8 @@ bool ChainMaker::insert_beside(const Leg& leg, int parts, std::vector<Inserted>&
 bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, SampleChain& result) {
   const ChainJoin& join = chain.joins[i];
   const std::size_t j = chain.after(i);
-  // The part of a sample's turn on this side of its tangent; ends and corners have none.
+  // The slope between this join and the tangent at a sample, which splits its turn by the lengths
+  // of its joins. Ends and corners have no slope.
   const auto slope = [&](std::size_t sample, double sign) {
     const double both = chain.join_before(sample).length + chain.join_after(sample).length;
     return std::tan(std::clamp(sign * chain.turns[sample] * join.length / both, -0.7, 0.7));
@@ -458,7 +462,7 @@ bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, Samp
   if (!join.bends) {
     const Leg leg{join.from, join.start, join.length, free ? -m1 / 2 : m0, stop ? -m0 / 2 : m1};
     if (!insert_beside(leg, parts, inserted)) return false;
-  } else {  // it turns about a vertex, freely
+  } else {  // the join turns freely about a vertex
     const Leg first{join.from, join.start, join.first_leg, m0, -m0 / 2};
     const Leg last{join.to, -1 * join.end, join.last_leg, m1, -m1 / 2, true};
     if (!insert_beside(first, parts, inserted)) return false;
@@ -527,7 +531,7 @@ CurveTrace ChainMaker::trace_of(const SampleChain& chain) {
       const double own = trace.length - before, along = trace.pieces[k].arc - before;
       trace.drawn.push_back(chain.drawn_along(i, own > 0 ? along / own : 0));
     }
-    // A sample at a vertex or on an edge may have other faces before and after it.
+    // The joins before and after a sample at a vertex or on an edge may lie in different faces.
     if (i + 1 == chain.joins.size() && !chain.closed) break;
     const ChainJoin& next = chain.joins[i + 1 == chain.joins.size() ? 0 : i + 1];
     if (next.from.face == join.to.face) continue;

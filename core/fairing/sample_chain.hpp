@@ -1,4 +1,4 @@
-// A sample chain is a curve as samples that lie anywhere on the surface, joined by straight lines.
+// A sample chain is a curve of samples anywhere on the surface, joined by straight lines.
 #pragma once
 
 #include <cstdint>
@@ -17,31 +17,31 @@ namespace talweg {
 
 /// The line from a sample to the next.
 struct ChainJoin {
-  FaceCoordinates from, to;            ///< the samples; in other faces where they lie on edges
+  FaceCoordinates from, to;            ///< the samples, each in a face that the join passes
   PlanePoint start, end;               ///< unit directions in the frames of these faces
   double length = 0;                   ///< mesh units
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
-  bool bends = false;                  ///< at a vertex
-  double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
-  /// How much it turns at the first and the last bend, which may be one, on the side on which that
-  /// is less; radians, to the left positive.
+  bool bends = false;                  ///< whether it bends at a vertex
+  double first_leg = 0, last_leg = 0;  ///< to the first and from the last bend; else the length
+  /// The turns at the first and at the last bend, which may be the same bend, on the side with the
+  /// smaller turn; radians, positive to the left.
   double first_turn = 0, last_turn = 0;
   bool bends_once = false;
-  std::uint32_t stretch = 0;  ///< counted by the points that were fixed at first
+  std::uint32_t stretch = 0;  ///< counted by the fixed points before loosened()
 };
 
-/// The ends of an open chain are fixed, as other samples may be; free samples lie inside faces.
+/// The ends of an open chain are fixed, and other samples may be. Free samples lie inside faces.
 struct SampleChain {
   bool closed = false;
   std::vector<FaceCoordinates> samples;
   std::vector<bool> fixed;
-  std::vector<SurfacePoint> fixed_points;  ///< where these are, in their order
-  std::vector<bool> corners;  ///< unless empty: fixed samples at which it may turn freely
-  std::vector<bool> loose;    ///< unless empty: samples that were fixed at first
-  std::vector<double> turns;  ///< radians, to the left positive; 0 at ends
-  /// Unless empty: where each sample belongs on the drawing (DrawnLine), not decreasing.
+  std::vector<SurfacePoint> fixed_points;  ///< the points of the fixed samples, in order
+  std::vector<bool> corners;               ///< unless empty: fixed samples with a free turn
+  std::vector<bool> loose;                 ///< unless empty: samples freed by loosened()
+  std::vector<double> turns;               ///< radians, positive to the left; 0 at ends
+  /// Unless empty: the place of each sample on the drawing (DrawnLine), not decreasing.
   std::vector<double> drawn;
-  double drawn_length = 0;       ///< of a loop: of the drawing, mesh units
+  double drawn_length = 0;       ///< for a loop: length of the drawing, mesh units
   std::vector<ChainJoin> joins;  ///< as many as samples if closed, else one less
   FaceStrip crossed;
 
@@ -49,13 +49,13 @@ struct SampleChain {
   [[nodiscard]] bool is_end(std::size_t i) const {
     return !closed && (i == 0 || i + 1 == samples.size());
   }
-  /// Whether its turn at the sample costs nothing; ends have none.
+  /// Whether the turn at a sample costs nothing: at corners, and at ends, which have no turn.
   [[nodiscard]] bool turns_freely(std::size_t i) const {
     return is_end(i) || (!corners.empty() && corners[i]);
   }
   [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? size() - 1 : i - 1; }
   [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
-  /// Not of an end.
+  /// The join that ends at sample i, which must not be an end of the chain.
   [[nodiscard]] const ChainJoin& join_before(std::size_t i) const {
     return joins[i == 0 ? joins.size() - 1 : i - 1];
   }
@@ -64,35 +64,35 @@ struct SampleChain {
     return std::span(crossed).subspan(join.first, join.count);
   }
   [[nodiscard]] double length() const;
-  /// The place on the drawing of the end of a join, which is not before that of its start.
+  /// The place on the drawing of the end of a join, which is not before the place of its start.
   [[nodiscard]] double drawn_after(std::size_t join) const {
     return join + 1 == size() ? drawn.front() + drawn_length : drawn[join + 1];
   }
-  /// The place on the drawing of a part of a join, in [0, 1].
+  /// The place on the drawing at the fraction `part` of a join, in [0, 1].
   [[nodiscard]] double drawn_along(std::size_t join, double part) const {
     return drawn[join] + part * (drawn_after(join) - drawn[join]);
   }
-  /// At a free sample: unit direction halfway between those of both joins.
+  /// At a free sample: the unit direction halfway between the directions of both joins.
   [[nodiscard]] PlanePoint tangent(std::size_t i) const;
 };
 
-/// How a sample is moved: straight over the faces.
+/// The move of a sample, straight over the faces.
 struct SampleStep {
   PlanePoint direction;  ///< unit, in the frame of the sample's face
   double distance = 0;   ///< mesh units, >= 0
 };
 
-/// Where the samples of a chain have come from: the way of each over the faces.
+/// The ways of the samples of a chain over the faces, one strip per sample.
 using SampleTrail = std::vector<FaceStrip>;
 
-/// A chain whose samples were moved to the left, and what another such move can take over from it.
+/// A chain whose samples were moved to the left, with the data that another move of the same chain
+/// reuses.
 struct ChainMove {
   SampleChain chain;
   std::vector<double> left;          ///< per sample, mesh units
   FaceStrip walks;                   ///< the ways of the samples, one after the other
-  std::vector<std::uint32_t> first;  ///< per sample: where its way begins; and their end
-  /// Per sample: whether it, or one of its joins, is another than in the move that this one has
-  /// taken over from.
+  std::vector<std::uint32_t> first;  ///< per sample: start of its way in `walks`; last, the end
+  /// Per sample: whether the sample or one of its joins differs from the move that was reused.
   std::vector<bool> anew;
 
   [[nodiscard]] std::span<const HalfedgeId> way(std::size_t i) const {
@@ -100,47 +100,49 @@ struct ChainMove {
   }
 };
 
-/// Makes chains. Each function gives none where two samples cannot be joined; `Error` is not
-/// thrown. Each costs O(samples + faces that their joins and ways pass).
+/// Makes chains. Functions return no chain where two samples cannot be joined, and throw no Error.
+/// Cost: O(samples + faces that their joins and ways pass).
 class ChainMaker {
  public:
   explicit ChainMaker(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }
 
-  /// Whether the part of a trace between two samples is to be halved. It is given by the places of
-  /// its ends on the drawing (not a number where there is none) and its length, mesh units.
+  /// Whether the part of a trace between two samples is to be halved. The part is given by the
+  /// places of its ends on the drawing (NaN without a drawing) and its length, mesh units.
   using Divided = std::function<bool(double from, double to, double length)>;
-  /// Samples at equal arc lengths between points that are fixed; at least 8 joins if closed, else
-  /// 2. They are at most so far apart (mesh units): one number for each stretch between such points
-  /// (of a loop, the last one leads to the first of these), or one for all. Parts between them are
-  /// halved, and halved again, where `divided` says so and they stay longer than `least`.
+  /// Samples at equal arc lengths between fixed points; at least 8 joins if closed, else 2.
+  /// `spacings` limits their distance (mesh units): one number for each stretch between fixed
+  /// points (the last stretch of a loop leads to its first fixed point), or one for all. The parts
+  /// between samples are halved, again and again, while `divided` is true and the halves are not
+  /// shorter than `least`.
   std::optional<SampleChain> sampled(const CurveTrace& trace, std::span<const double> spacings,
                                      double least = 0, const Divided& divided = {});
   std::optional<SampleChain> sampled(const CurveTrace& trace, double spacing) {
     return sampled(trace, std::span(&spacing, 1));
   }
-  /// Each free sample moved by its step.
+  /// The chain with each free sample moved by its step.
   std::optional<SampleChain> moved(const SampleChain& chain, std::span<const SampleStep> steps);
-  /// Each free sample moved by so much to the left. What moves as in another move of the same chain
-  /// is taken over from that, unless it is null.
+  /// The chain with each free sample moved to the left by left[i], mesh units. Samples that move as
+  /// in `other`, an earlier move of the same chain, are copied from it, unless it is null.
   std::optional<ChainMove> moved_left(const SampleChain& chain, std::span<const double> left,
                                       const ChainMove* other);
-  /// The chain whose samples lie at these parts of the ways from one chain to another; the nearer
-  /// one where there is no trail. One part for each sample of `from`.
+  /// The chain whose samples lie on the lines from the samples of one chain to the samples of
+  /// another, which moved there along `trail`. `parts`: a fraction in [0, 1] for each sample of
+  /// `from`. Without a trail, the chain that is nearer by the first fraction.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
                                      const SampleTrail& trail, std::span<const double> parts);
-  /// The chain with these samples no longer fixed.
+  /// The chain in which the samples that `loose` marks are free.
   std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
-  /// With so many joins for each, on a cubic that has the chain's samples and tangents: one number
-  /// for each join, or one for all.
+  /// The chain with each join divided into `parts` joins, on a cubic through the chain's samples
+  /// with its tangents: one number for each join, or one for all.
   std::optional<SampleChain> divided(const SampleChain& chain, std::span<const int> parts);
   std::optional<SampleChain> divided(const SampleChain& chain, int parts) {
     return divided(chain, std::span(&parts, 1));
   }
-  /// The lines of the chain.
+  /// The trace of the chain's joins.
   CurveTrace trace_of(const SampleChain& chain);
-  /// Measures the turns of a chain that was put together.
+  /// Computes the turns of a chain that was assembled from parts.
   void set_turns(SampleChain& chain) const;
 
  private:

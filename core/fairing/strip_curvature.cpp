@@ -7,7 +7,7 @@
 
 namespace talweg {
 
-/// The defect of a vertex and a third of the area around it; neither of one on the boundary.
+/// The angle defect of a vertex and a third of the area around it; both 0 on the boundary.
 const StripCurvature::Sum& StripCurvature::of(VertexId v) {
   const auto [place, is_new] = known_.try_emplace(static_cast<std::uint32_t>(v.index()));
   Sum& sum = place->second;

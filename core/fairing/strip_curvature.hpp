@@ -1,4 +1,4 @@
-// The curvature of the surface beside a chain is that of the vertices next to its joins.
+// The strip curvature is the curvature of the surface at the vertices next to the joins of a chain.
 #pragma once
 
 #include <unordered_map>
@@ -10,16 +10,16 @@
 
 namespace talweg {
 
-/// Remembers what it has measured of vertices, for every curve that comes near them. Refers to the
-/// surface.
+/// Caches the angle defects and areas of vertices, for all curves that come near them. Refers to
+/// the surface.
 class StripCurvature {
  public:
   explicit StripCurvature(const Surface& surface) : surface_(&surface) {}
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }
 
-  /// Per sample: Gaussian curvature, 1 / mesh units², as angle defects over area of the vertices
-  /// around the faces that its joins pass. O(crossings).
+  /// Per sample: Gaussian curvature, 1 / mesh units², as the angle defects over the areas of the
+  /// vertices of the faces that its joins pass. O(crossings).
   std::vector<double> along(const SampleChain& chain);
 
  private:

@@ -17,9 +17,9 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-// Limits a straight ray's length. It can turn around a tip of almost no angle for long without
-// getting ahead, and it winds around a surface that is much smaller than the radius without gaining
-// information.
+// The limit of the triangles that a straight ray crosses. A ray can circle a vertex with an angle
+// sum near 0 for long without progress, and winds around a surface much smaller than the radius
+// without gaining information.
 std::size_t most_triangles(const Surface& surface) {
   return std::min(std::size_t{1} << 16U, 1000 + 8 * surface.face_count());
 }
@@ -60,7 +60,7 @@ std::vector<Ring> rings_of(double radius, int count) {
   return rings;
 }
 
-/// A triangle at a vertex, with the angle up to which it reaches.
+/// A triangle at a vertex, with its angle there and the sum of the angles up to its end.
 struct Corner {
   HalfedgeId halfedge;
   double angle;
@@ -83,9 +83,9 @@ void corners_about(const Surface& surface, VertexId v, std::vector<Corner>& corn
   } while (h != first && surface.has_face(h));
 }
 
-/// A straight ray along the positive x-axis of a plane into which the triangles it meets are
-/// unfolded one after the other. It leaves the present triangle across the edge from `right_` to
-/// `left_`; values are relative to the one at the origin.
+/// A straight ray along the positive x-axis of a plane into which the crossed triangles are
+/// unfolded one after the other. The ray leaves the current triangle across the edge from `right_`
+/// to `left_`. Values are relative to the value at the origin.
 class Ray {
  public:
   Ray(const Surface& surface, std::span<const double> values, const Corner& corner, double angle)
@@ -126,7 +126,7 @@ class Ray {
                                                           : std::numeric_limits<double>::infinity();
   }
 
-  /// Goes on into the next triangle; false at the boundary.
+  /// Continues into the next triangle; false at the boundary.
   bool cross() {
     const HalfedgeId entry = twin(across_);  // from left_ to right_
     if (!surface_.has_face(entry)) return false;

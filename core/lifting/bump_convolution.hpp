@@ -41,7 +41,8 @@ struct BumpOptions {
 /// no memory besides the result.
 ///
 /// Throws Error(kBadUsage) when the options are invalid, the number of values is not the number of
-/// vertices, or a value is NaN or -infinity; Cancelled when `progress` (stage "solve") says so.
+/// vertices, or a value is NaN or -infinity; Cancelled when `progress` (stage "solve") returns
+/// false.
 std::vector<double> convolve_with_bump(const Surface& surface, std::span<const double> values,
                                        const BumpOptions& options, const Progress& progress = {});
 

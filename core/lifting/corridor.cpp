@@ -96,9 +96,9 @@ std::array<double, 2> Corridor::at(const SurfacePoint& point) const {
   return lifted(distance_->at(point));
 }
 
-/// For a single open curve with one slack φ is a function of δ, and δ grows no faster than the way.
-/// Otherwise the nearest point may jump between the ends of an edge, and φ may change by any
-/// amount.
+/// For a single open curve with one slack, φ is a function of δ, and δ changes along an edge by at
+/// most its length. Otherwise the nearest point may jump between the ends of an edge, and φ may
+/// change by any amount.
 double Corridor::largest_lengthening(double distance, double length) const {
   const bool by_distance_alone = profiles_.size() == 1 && profiles_.front().arcs.empty() &&
                                  profiles_.front().phase_per_arc == 0;

@@ -1,4 +1,4 @@
-// The corridor is a potential that is flat as wide as the drawing is uncertain, and steep beyond.
+// The corridor is a potential that is 0 within the uncertainty of the drawing, and steep beyond.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ class Corridor {
     double slack = 0;   ///< ε, mesh units, >= 0
     double length = 1;  ///< L, mesh units, > 0
     int turns = 1;      ///< k, >= 0; 0 switches the phase of a closed curve off
-    /// For an open curve that is part of a loop: the loop's length (mesh units; 0 if it is not part
-    /// of one) and where on the loop the part begins.
+    /// For an open curve that is part of a loop: the loop's length and the arc length on the loop
+    /// where the part begins, mesh units. The loop length of other curves is 0.
     double loop_length = 0, arc_start = 0;
     double apart = HUGE_VAL;  ///< half of the gap to the nearest other curve, mesh units
-    /// Unless empty, it replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
+    /// Unless empty, replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
-    bool given = false;    ///< whether somebody asked for this slack
-    double trembling = 0;  ///< mesh units: the slack before it was narrowed for what is near
+    bool given = false;    ///< whether the options set this slack
+    double trembling = 0;  ///< mesh units: the slack before nearby curves narrowed it
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };
@@ -41,20 +41,21 @@ class Corridor {
   /// value that is negative or not finite.
   Corridor(PolylineDistance& distance, double tau, const std::vector<Valley>& valleys)
       : Corridor(distance, std::vector<double>(valleys.size(), tau), valleys) {}
-  /// With a tau for each valley.
+  /// The same with a tau for each valley.
   Corridor(PolylineDistance& distance, const std::vector<double>& taus,
            const std::vector<Valley>& valleys);
 
-  /// Throws as the constructor does for slack values along a curve with this number of points.
+  /// Checks the slack values of a curve with this number of points; throws as the constructor does.
   static void check_slack(const std::vector<double>& values, std::size_t curve, std::size_t points);
 
-  /// Where that is the nearest point of the curves.
+  /// φ at a point of the surface whose nearest point on the curves is `nearest`.
   [[nodiscard]] std::array<double, 2> lifted(const PolylineDistance::Nearest& nearest) const;
   std::array<double, 2> at(const SurfacePoint& point) const;
   std::array<double, 2> at_vertex(VertexId v) const;
-  /// Like at_vertex() where δ is at most `exact`. Farther out the value is not less, as if δ were
-  /// the length of a way along edges. This avoids a wide band of exact distances around walls that
-  /// no curve climbs. Where `exactly` has the curve that is nearest, the value is exact.
+  /// Like at_vertex() where δ is at most `exact`. Farther out, δ is replaced by the length of a
+  /// path along edges, which is not less. The replacement avoids a wide band of exact distances
+  /// around walls that no curve climbs. The value is exact, too, where `exactly` is true for the
+  /// nearest curve.
   std::array<double, 2> at_vertex_roughly(VertexId v, double exact,
                                           const std::vector<bool>& exactly) const;
   /// An upper bound on the relative lengthening of any edge of at least this length whose ends are

@@ -5,8 +5,8 @@
 namespace talweg {
 namespace {
 
-/// Where the curve passes the fixed points from one place on; empty where it does not. It may pass
-/// one of them on its way between two others, too.
+/// The indices of the fixed points along the curve, in order, from index `first` on; empty where
+/// the curve does not pass all of them. The curve may pass a fixed point again between two others.
 std::vector<std::size_t> places_from(std::size_t first, const std::vector<SurfacePoint>& fixed,
                                      const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
@@ -105,7 +105,7 @@ std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curv
   start.fixed = places_of(legs.fixed, curve);
   if (start.fixed.empty()) return std::nullopt;
   const std::size_t m = start.fixed.size();
-  // The curve's own first fixed point may be another one.
+  // The first fixed point along the curve may be another one than legs.fixed[0].
   const auto first = static_cast<std::size_t>(
       std::min_element(start.fixed.begin(), start.fixed.end()) - start.fixed.begin());
   std::sort(start.fixed.begin(), start.fixed.end());

@@ -1,4 +1,5 @@
-// Legs start straight: they are straightened without a lift, and fairing starts from there.
+// A leg start is the curve from which fairing starts, with legs that were straightened without a
+// lift.
 #pragma once
 
 #include <cstddef>
@@ -11,38 +12,41 @@
 
 namespace talweg {
 
-/// The legs of a curve and the strokes of another, which pass the same fixed points; the latter
-/// curve where they do not. All functions here are O(points); worse: for a loop as often as it
-/// passes its first fixed point without the others in order.
+/// The curve that consists of the legs of `straight` and the strokes of `strokes`, which pass the
+/// same fixed points; `strokes` where they do not. All functions here are O(points). A loop costs
+/// O(points) for each passage of its first fixed point without the other fixed points in order.
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight);
 
-/// The stretches of a curve between the fixed points; none where it does not pass these.
+/// The stretches of a curve between the fixed points; none where the curve does not pass all of
+/// them.
 std::vector<SurfaceCurve> stretches_of(const DrawnLegs& legs, const SurfaceCurve& curve);
 
-/// The stretches of a curve that are no legs; the whole curve where it has no legs, or does not
-/// pass the fixed points.
+/// The strokes of a curve, that is, its stretches that are not legs; the whole curve where it has
+/// no legs, or does not pass the fixed points.
 std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& curve);
 
-/// Per point of the curve: whether it lies on a stroke, or at the end of one.
+/// Per point of the curve: whether the point lies on a stroke, ends included.
 std::vector<bool> on_strokes(const DrawnLegs& legs, const SurfaceCurve& curve);
 
-/// A curve that passes the fixed points, as fairing starts from it.
+/// The legs and fixed points of the curve from which fairing starts.
 struct LegStart {
   LegTension tension;
-  std::vector<std::size_t> fixed;  ///< indices of its points, ascending
+  std::vector<std::size_t> fixed;  ///< indices of curve points, ascending
 };
-/// None where the curve does not pass the fixed points in their order.
+/// The legs of a curve in the curve's own order; none where the curve does not pass the fixed
+/// points in their order. `relative`: see LegTension.
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve, double relative);
 
-/// Per point of a curve that passes fixed points in their order: the stretch it lies on, or begins.
-/// Empty where it does not pass them.
+/// Per point of a curve: the number of the stretch that contains the point, or begins there. Empty
+/// where the curve does not pass the fixed points in their order.
 std::vector<std::size_t> stretches_along(const std::vector<SurfacePoint>& fixed,
                                          const SurfaceCurve& curve);
 
-/// The same for the open curve of `points` points in the other direction.
+/// The start of the reversed curve, for an open curve of `points` points.
 LegStart reversed(LegStart start, std::size_t points);
-/// Appends that of the next curve to one that ends at point `last`, where the next one begins.
+/// Appends the start of the next curve to `start`, whose curve ends at its point `last`, where the
+/// next curve begins.
 void append(const LegStart& next, std::size_t last, LegStart& start);
 
 }  // namespace talweg

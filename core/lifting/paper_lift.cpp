@@ -57,8 +57,8 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const HeatSettings& 
     at_inserted_ = curves_->at_inserted(distance_, 1);
   } else {
     distance_ = std::move(solved);
-    // Inserted vertices lie on the drawing, so their distance is 0 even if the mesh cannot resolve
-    // that.
+    // Inserted vertices lie on the drawing, so their distance is 0 even if interpolation in their
+    // face gives another value.
     at_inserted_.assign(curves_->triangulation().inserted_count(), 0.0);
   }
   find_largest(curves.size() > 1);

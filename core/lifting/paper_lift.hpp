@@ -16,11 +16,12 @@
 namespace talweg {
 
 /// The distance, computed by heat or given, and the lengths in the lifted surface that follow from
-/// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6). Cost of solve(): that of
+/// it (Pawellek, Rössl & Lawonn, section 3.3 and equations 4 to 6). Cost of solve(): the cost of
 /// HeatDistance over the whole mesh, once for a drawing; of set(): O(vertices); of a length: O(1).
 class PaperLift {
  public:
-  /// Both must outlive it; the curves are those embedded there when a function is called.
+  /// Both must outlive this object. Each function uses the curves that `curves` has embedded when
+  /// the function is called.
   PaperLift(const OpenedMesh& mesh, const Straightening& curves) : mesh_(&mesh), curves_(&curves) {}
 
   void clear();
@@ -28,22 +29,25 @@ class PaperLift {
   /// One value per mesh vertex.
   [[nodiscard]] std::span<const double> distance() const { return distance_; }
 
-  /// Throws Error(kBadUsage) when there is not one distance per vertex, or one is NaN or -infinity.
+  /// Throws Error(kBadUsage) when there is not one distance per vertex, or a distance is NaN or
+  /// -infinity.
   static void check(const Surface& surface, std::span<const double> distance);
-  /// Sets a distance that was checked. `several`: whether there is more than one curve.
+  /// Sets a distance that check() accepts. `several`: whether there is more than one curve.
   void set(std::vector<double> distance, bool several);
-  /// Computes the distance to the curves by heat. Throws Cancelled; nothing has changed then.
+  /// Computes the distance to the curves by heat. Throws Cancelled; the distance is unchanged then.
   void solve(std::span<const SurfaceCurve> curves, const HeatSettings& settings,
              const Progress& progress);
 
-  /// Lengths in the lifted surface; it refers to this object. `drawn_length`: total of all curves.
+  /// The metric of the lifted surface, a function that refers to this object. `drawn_length`: total
+  /// of all curves.
   [[nodiscard]] SignpostTriangulation::Metric metric(const PotentialOptions& options, double tau,
                                                      double drawn_length) const;
   /// The characteristic length L of the component that a vertex is on.
   [[nodiscard]] double characteristic_length(const PotentialOptions& options, double drawn_length,
                                              VertexId vertex) const;
 
-  /// By how much edges were lengthened to compute the distance, mesh units, and a warning about it.
+  /// The length that was added to edges to compute the distance, mesh units, and a warning about
+  /// it.
   [[nodiscard]] double mollification() const { return mollification_; }
   [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// The times for factorising the mesh's matrices and for the solve, ms.

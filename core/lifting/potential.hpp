@@ -1,11 +1,11 @@
-// Penalty potentials, the paper's family of them, grow with the distance.
+// The paper's penalty potentials grow with the distance.
 #pragma once
 
 #include <optional>
 
 namespace talweg {
 
-/// How the distance is computed by heat that the potential is a function of.
+/// The settings of the heat distance, of which the potential is a function.
 struct HeatSettings {
   double time = 10;      ///< in units of h²; [1e-3, 1e6]
   unsigned threads = 2;  ///< at most; >= 1; no effect on results
@@ -21,7 +21,7 @@ struct PotentialOptions {
     kPower,        ///< f(x) = x^exponent
     kExponential,  ///< f(x) = e^x - 1
   };
-  /// What L is.
+  /// The choice of the characteristic length L.
   enum class Length {
     kMaximumDistance,  ///< L = max δ over the components that have a curve
     kCurveLength,      ///< L = total length of the drawn curves

@@ -94,9 +94,9 @@ double moved(const Slider& s, const Point& at, const Point& before, const Point&
   const double squared = s.along.squaredNorm();
   const double first = (before - at).norm();
   const double second = (after - at).norm();
-  // A neighbour that coincides does not pull, and its weight would be infinite.
+  // The weight of a neighbour at the same place would be infinite, so the point stays.
   if (!(squared > 0) || !(first > 0) || !(second > 0)) return s.t;
-  // Both weights times first · second.
+  // Both weights are multiplied by first · second.
   const double pull = second * (before - at).dot(s.along) + first * (after - at).dot(s.along);
   const double best = s.t + pull / ((first + second) * squared);
   return s.t + kStep * (std::clamp(best, s.low, s.high) - s.t);

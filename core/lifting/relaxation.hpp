@@ -11,7 +11,7 @@ namespace talweg {
 
 struct RelaxationOptions {
   int rounds = 5;  ///< how often every point moves; 0 leaves the curve as it is
-  std::span<const SurfacePoint> fixed = {};  ///< points of the curves that stay, too
+  std::span<const SurfacePoint> fixed = {};  ///< further points of the curves that stay
 
   /// Throws Error(kBadUsage) naming the field and its bound: 0 <= rounds <= 1,000,000.
   void validate() const;
@@ -36,7 +36,7 @@ struct RelaxationOptions {
 /// nearer to the edge's ends or to each other than 1e-6 of the edge, unless they already were.
 ///
 /// O(rounds · points + points log points). Independent of scale and position but for rounding.
-/// Throws Cancelled when `progress` (stage "relax") says so; the curves are as they were then.
+/// Throws Cancelled when `progress` (stage "relax") returns false; the curves are unchanged then.
 void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
            const RelaxationOptions& options = {}, const Progress& progress = {});
 

@@ -14,10 +14,10 @@
 namespace talweg {
 namespace {
 
-/// Whether two of the curves, or one with itself, meet at a vertex or on an edge that is not fixed
-/// in both. Loops with fixed points begin at the first of these.
+/// Whether two curves, or two passages of one curve, share a point at a vertex or on an edge that
+/// is not fixed in both. Loops with fixed points begin at the first of these.
 bool touch(std::span<const SurfaceCurve> curves, std::span<const DrawnLegs> legs) {
-  std::vector<std::tuple<SurfaceElement, double, bool>> passed;  // with place on it, and fixed
+  std::vector<std::tuple<SurfaceElement, double, bool>> passed;  // element, t on an edge, is fixed
   for (std::size_t c = 0; c < curves.size(); ++c) {
     std::size_t next = 0;
     for (const SurfacePoint& point : curves[c].points) {
@@ -102,7 +102,7 @@ std::optional<Straightened> StraightLegs::straightened(const SurfaceMesh& mesh,
         if (!curve.closed && k + 1 == stretches.size()) curve.points.push_back(points.back());
       }
     }
-  } catch (const Error&) {  // a leg that is none without what lies beside it
+  } catch (const Error&) {  // a leg that has no edge of its own after its points were merged
     all = false;
   }
   kept_ = std::move(used);

@@ -1,4 +1,4 @@
-// Straight legs are those between way-points, made geodesic each for itself, and kept.
+// Straight legs are the legs between way-points, each straightened for itself and cached.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,16 @@
 
 namespace talweg {
 
-/// What a leg becomes depends on how it is drawn and on nothing else, so it is kept for the next
-/// drawing on the same mesh that has it: a hand that drags a way-point waits for the two legs
-/// beside it. The legs of the last drawing are kept. Cost: a run of Straightening for each leg that
-/// is not known. Worse: legs that begin and end in the same elements and have as many points are
-/// compared one by one.
+/// A straightened leg depends on the drawn leg only, so it is cached for the next drawing on the
+/// same mesh: a user who drags a way-point waits only for the two legs beside the way-point. The
+/// cache holds the legs of the last drawing. Cost: a run of Straightening for each leg that is not
+/// cached. In the worst case, cached legs with the same end elements and the same number of points
+/// are compared one by one.
 class StraightLegs {
  public:
   /// The curves with their legs straightened and their strokes as they are; none where a leg cannot
-  /// be straightened alone. The straightening has the last leg embedded afterwards. Throws
-  /// Cancelled.
+  /// be straightened alone. `straightening` has the last straightened leg embedded afterwards.
+  /// Throws Cancelled.
   std::optional<Straightened> straightened(const SurfaceMesh& mesh, Straightening& straightening,
                                            std::span<const SurfaceCurve> curves,
                                            std::span<const DrawnLegs> legs,
@@ -48,8 +48,8 @@ class StraightLegs {
   Legs kept_;
 };
 
-/// Whether curves with straightened legs cross each other or themselves, or touch at more than
-/// points that are fixed. Straightened together they would be kept apart. O(n log n), and what
+/// Whether curves with straightened legs cross each other or themselves, or touch at points other
+/// than fixed points. Joint straightening would keep the curves apart. O(n log n), and what
 /// crossing_curves() costs.
 bool legs_meet(const Surface& surface, std::span<const SurfaceCurve> curves,
                std::span<const DrawnLegs> legs);

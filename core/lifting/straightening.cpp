@@ -88,7 +88,7 @@ std::vector<std::size_t> Straightening::crossings_of(std::span<const SurfaceCurv
     const EmbeddedCurves embedded =
         embed_curves(triangulation_, curves, {}, Loops::kKeep, {}, progress);
     crossings = path_contacts(triangulation_, embedded.paths).crossings;
-  } catch (const Error&) {  // a loop of less than three edges; it crosses nothing
+  } catch (const Error&) {  // a loop of less than three edges, which has no crossings
   } catch (...) {
     triangulation_.remove_inserted();
     throw;

@@ -13,18 +13,18 @@
 
 namespace talweg {
 
-/// How the straightening of one curve went.
+/// The result of straightening one curve.
 struct StraightenedPath {
   double length_before = 0;  ///< in the metric
   double length_after = 0;   ///< in the metric
   Termination termination = Termination::kConverged;
 };
 
-/// What a straightening did, summed over all curves.
+/// The work of a straightening, summed over all curves.
 struct StraighteningCounts {
   std::size_t flips = 0;
   std::size_t iterations = 0;
-  std::size_t blocked = 0;  ///< joints that stay bent because another path is in their wedge
+  std::size_t blocked = 0;  ///< joints that stay bent because of another path in their wedge
   std::size_t clamped = 0;  ///< crossings that the tracing put at the end of their edge
   std::size_t faces_touched = 0;
 };
@@ -34,31 +34,31 @@ struct Straightened {
   std::vector<SurfaceCurve> curves;
   std::vector<StraightenedPath> paths;  ///< one for each curve
   StraighteningCounts counts;
-  std::vector<VertexId> touched;  ///< vertices whose directions were laid out
+  std::vector<VertexId> touched;  ///< vertices whose directions were computed
   bool at_fence = false;          ///< see EmbeddedDrawing::Ground; set by EmbeddedDrawing
   StageTimes time_ms;             ///< straighten, trace
 };
 
-/// The triangulation of a surface with the curves that are embedded in it. The memory is allocated
-/// once; a run costs what it touches, and leaves the triangulation unchanged.
+/// The triangulation of a surface with embedded curves. The memory is allocated once; a run costs
+/// only the elements that it touches, and leaves the triangulation unchanged.
 class Straightening {
  public:
-  /// O(surface). The surface must outlive it.
+  /// O(surface). The surface must outlive this object.
   explicit Straightening(const Surface& surface);
 
-  /// Embeds these curves in place of the present ones. The arguments and what is thrown are those
-  /// of embed_curves(); when it throws, no curves are embedded.
+  /// Replaces the embedded curves by `curves`. Arguments and errors are as in embed_curves(); no
+  /// curves are embedded after an error.
   void embed(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins, Loops loops,
              std::span<const std::size_t> names, const Progress& progress);
   void clear();
 
-  /// The curves that are embedded.
+  /// The embedded curves.
   [[nodiscard]] const std::vector<EdgePath>& paths() const { return embedded_.paths; }
 
   /// Limits of FlipOut; `pinned` is filled in by run().
   struct Options {
     FlipOutOptions flip_out;
-    bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
+    bool prepare_whole_mesh = false;  ///< compute all directions first; slower, same result
     friend bool operator==(const Options&, const Options&) = default;
   };
   /// Straightens the curves in a metric on the edges; the metric is not needed afterwards. Throws

@@ -24,7 +24,8 @@ void for_each_spoke(const Surface& surface, VertexId v, const Visit& visit) {
   }
 }
 
-/// The touched vertices and their neighbours, in order, and the way along edges to each.
+/// The touched vertices and their neighbours, sorted, with the length of the shortest path along
+/// edges from the curves to each.
 class Ways {
  public:
   Ways(const Surface& surface, std::span<const VertexId> touched, Asker& asker)
@@ -49,7 +50,8 @@ class Ways {
     queue_.emplace(way, i);
   }
 
-  /// The largest way, once all sources have been offered; infinite if a vertex is not reached.
+  /// The largest path length, after all sources have been offered; infinite if a vertex is not
+  /// reached.
   double farthest() {
     std::size_t settled = 0;
     double last = 0;

@@ -1,4 +1,5 @@
-// Touched edges are those that a straightening has looked at; they bound how far it went.
+// Touched edges are the edges that a straightening has read; they bound its distance from the
+// curves.
 #pragma once
 
 #include <span>
@@ -15,10 +16,10 @@ struct TouchedEdges {
 };
 
 /// Covers all edges of the faces around the vertices `touched`; inserted vertices, which lie on the
-/// curves, are skipped. Uses Dijkstra's algorithm from the curves over these edges alone: ways
-/// along them are at least as long as the distance. `farthest` is infinite where the edges are not
+/// curves, are skipped. Uses Dijkstra's algorithm from the curves over these edges alone: paths
+/// along edges are at least as long as the distance. `farthest` is infinite where the edges are not
 /// connected with the curves. O(touched, log). Throws Cancelled when `progress` (stage
-/// "straighten") says so.
+/// "straighten") returns false.
 TouchedEdges touched_edges(const Surface& surface, std::span<const VertexId> touched,
                            std::span<const SurfaceCurve> curves, const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-# Finds CHOLMOD (SuiteSparse) where its own CMake package is missing, as on Debian 12.
-# Gives the target SuiteSparse::CHOLMOD.
+# Finds CHOLMOD (SuiteSparse) where its own CMake package is missing, as on Debian 12. Defines the
+# target SuiteSparse::CHOLMOD.
 if(NOT TARGET SuiteSparse::CHOLMOD)
   find_package(CHOLMOD CONFIG QUIET)  # SuiteSparse 7 and newer
 endif()

@@ -1,5 +1,6 @@
-# note_a_slow_blas(): says so when CHOLMOD's BLAS is the reference one, which is written to be read.
-# Its file is libblas.so.3.MINOR; other BLASes stand in for libblas.so.3 under names of their own.
+# note_a_slow_blas(): prints a note when CHOLMOD uses the reference BLAS, which is slow. The file of
+# the reference BLAS is libblas.so.3.MINOR; for other BLAS libraries, libblas.so.3 is a link to a
+# file of another name.
 function(note_a_slow_blas)
   if(NOT CHOLMOD_LIBRARY)
     return()

@@ -10,7 +10,7 @@ BendingVertices::BendingVertices(const Surface& surface)
     : surface_(&surface), known_(surface.vertex_count(), kUnknown) {}
 
 bool BendingVertices::compute(VertexId v) const {
-  constexpr double kSlack = 1e-7;  // radians; ways left out are longer by less than its square
+  constexpr double kSlack = 1e-7;  // radians; a bend left out changes a length by less than kSlack²
   double sum = surface_->on_boundary(v) ? std::numbers::pi : 0.0;
   bool no_length = false;
   const HalfedgeId first = surface_->halfedge(v);

@@ -1,4 +1,4 @@
-// Bending vertices are those around which a shortest way can bend.
+// Bending vertices are the vertices around which a shortest path can bend.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace talweg {
 
-/// A shortest way bends only around a vertex whose total angle exceeds a full turn (half a turn at
-/// the boundary). A vertex with an edge of length 0 counts, too, because its angles say little.
-/// Computed when first asked for. The surface must outlive the object.
+/// A shortest path bends only around a vertex whose total angle exceeds 2π (π at the boundary). A
+/// vertex with an edge of length 0 counts, too, because its angles are meaningless. The answer for
+/// a vertex is computed at its first query. The surface must outlive the object.
 class BendingVertices {
  public:
   explicit BendingVertices(const Surface& surface);

@@ -8,13 +8,13 @@
 
 namespace talweg {
 
-/// A part of a line of some length, from its beginning.
+/// A part of a line; both numbers are distances from the start of the line.
 struct Stretch {
   double from = 0;
   double to = 0;
 };
 
-/// The place between `inside`, where f is at most `limit`, and `outside`, where it is more, at
+/// The place between `inside`, where f is at most `limit`, and `outside`, where f is greater, at
 /// which a convex f reaches the limit, up to rounding.
 template <class F>
 double limit_between(const F& f, double inside, double outside, double limit) {
@@ -23,7 +23,8 @@ double limit_between(const F& f, double inside, double outside, double limit) {
   double f_inside = f(inside) - limit, f_outside = f(outside) - limit;
   const double width = std::abs(outside - inside);
   for (int i = 0; i < kMost && std::abs(outside - inside) > kSame * width; ++i) {
-    // A convex function is below its chord; so every other step halves the interval.
+    // A convex function lies below its chord, so steps along the chord move one end only. Every
+    // other step therefore halves the interval.
     const double part = i % 2 == 0 ? f_inside / (f_inside - f_outside) : 0.5;
     const double x = inside + part * (outside - inside), f_x = f(x) - limit;
     if (std::abs(f_x) <= kSame * std::abs(limit)) return x;
@@ -33,8 +34,9 @@ double limit_between(const F& f, double inside, double outside, double limit) {
   return inside;
 }
 
-/// A place in [0, length] where a convex function that changes no faster than its argument is at
-/// most `limit`, or none: the golden section, until this is found or excluded.
+/// A place in [0, length] where a convex function of Lipschitz constant 1 is at most `limit`; none
+/// if there is no such place. Golden-section search, which ends as soon as a place is found or
+/// excluded.
 template <class F>
 std::optional<double> place_below(const F& f, double length, double limit) {
   constexpr double kGolden = 0.6180339887498949, kShort = 1e-12;
@@ -60,8 +62,7 @@ std::optional<double> place_below(const F& f, double length, double limit) {
   return {};
 }
 
-/// Where in [0, length] a convex function that changes no faster than its argument is at most
-/// `limit`.
+/// The part of [0, length] where a convex function of Lipschitz constant 1 is at most `limit`.
 template <class F>
 std::optional<Stretch> stretch_below(const F& f, double length, double limit) {
   const double first = f(0), last = f(length);
@@ -74,7 +75,7 @@ std::optional<Stretch> stretch_below(const F& f, double length, double limit) {
   return Stretch{limit_between(f, *place, 0, limit), limit_between(f, *place, length, limit)};
 }
 
-/// The union of stretches, in order; those that are less than `gap` apart are one.
+/// The union of stretches, sorted; stretches at most `gap` apart are joined.
 inline std::vector<Stretch> joined_stretches(std::vector<Stretch> stretches, double gap) {
   std::sort(stretches.begin(), stretches.end(),
             [](const Stretch& a, const Stretch& b) { return a.from < b.from; });

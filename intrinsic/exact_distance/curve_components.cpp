@@ -10,7 +10,7 @@ bool CurveComponents::keep_out(const WindowFront& front, VertexId v) {
   if (with_curve_.empty()) {
     if (front.windows().size() < surface_->vertex_count() / 8) return false;
     if (component_.empty()) component_ = components_of(*surface_).of_vertex;
-    // Everything reached so far is connected to a curve.
+    // Every vertex reached so far is connected to a curve.
     for (const VertexId reached : front.vertices().reached()) {
       with_curve_.push_back(component_[reached.index()]);
     }

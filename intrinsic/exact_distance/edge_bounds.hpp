@@ -1,4 +1,4 @@
-// Edge bounds tell how long the known ways to the points of an edge are at most.
+// Edge bounds are upper bounds of the distances at the points of an edge.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,11 @@
 
 namespace talweg {
 
-/// A new window of an edge is seldom shorter than thousands of known ones but in a small part. Here
-/// are the shortest known ways to places evenly spread over the edge; along the edge they lead on
-/// to all points in between. Bounds of ever longer parts rule most of a new window out in O(log n)
-/// steps. Ways only become shorter, so a bound that held once holds for ever.
+/// On an edge with thousands of windows, a new window is shorter than the known ones in a small
+/// part at most. The bounds hold the shortest known distances at places evenly spread over the
+/// edge; paths along the edge extend the bounds to all points between two places. A binary tree
+/// with the bounds of ever longer parts excludes most of a new window in O(log n) steps. Distances
+/// only decrease, so a bound stays valid.
 class EdgeBounds {
  public:
   /// `parts`: a power of 2.
@@ -27,7 +28,7 @@ class EdgeBounds {
 
   [[nodiscard]] std::size_t parts() const { return parts_; }
 
-  /// Takes the ways of a window into account. It has `begin` <= `end`.
+  /// Lowers the bounds to the distances of a window that is not empty.
   void add(const EdgeWindow& window) {
     const double size = length_ / static_cast<double>(parts_);
     const auto before = std::min(parts_ - 1, static_cast<std::size_t>(window.begin / size));
@@ -41,8 +42,8 @@ class EdgeBounds {
     update(before == 0 ? 0 : before - 1, std::min(parts_ - 1, last + 1));
   }
 
-  /// A stretch of a window, without parts at its ends where known ways are shorter by more than
-  /// `same`. Adds what was looked at.
+  /// The range of a window without the parts at its ends where known distances are shorter by more
+  /// than `same`. Adds the cost of the search to `looked_at`.
   [[nodiscard]] EdgeRange not_longer(const EdgeWindow& window, double same,
                                      std::size_t& looked_at) const {
     Asked asked{&window, same};
@@ -73,17 +74,17 @@ class EdgeBounds {
     }
   }
 
-  /// The smallest distance of a window between two places, if it reached there.
+  /// The smallest distance of a window between two places, also beyond the ends of the window.
   static double lowest_between(const EdgeWindow& window, double from, double to) {
     if (!window.from_point()) return std::min(window.value(from), window.value(to));
     return window.value(std::clamp(window.px, from, to));
   }
 
-  /// The first or the last part, of `count` from `first` on, in which the window may be shorter;
+  /// The first (or `last`) of the `count` parts from `first` on in which the window may be shorter;
   /// parts() for none.
   [[nodiscard]] std::size_t find(Asked& asked, std::size_t node, std::size_t first,
                                  std::size_t count, bool last) const {
-    constexpr std::size_t kLooks = 4;  // a root, and memory that lies anywhere
+    constexpr std::size_t kLooks = 4;  // a square root and a cache miss
     asked.looked_at += kLooks;
     const double from = std::max(asked.window->begin, place(first));
     const double to = std::min(asked.window->end, place(first + count));
@@ -101,8 +102,8 @@ class EdgeBounds {
 
   double length_;
   std::size_t parts_;
-  std::vector<double> at_;    // the shortest known way to each place
-  std::vector<double> most_;  // of a part, of two parts, ...: a heap whose root is 1
+  std::vector<double> at_;    // the shortest known distance at each place
+  std::vector<double> most_;  // per part, per two parts, ...: a binary tree with root 1
 };
 
 }  // namespace talweg

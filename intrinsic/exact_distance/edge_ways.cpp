@@ -26,7 +26,7 @@ NearestOnCurve EdgeWays::shortest(VertexId v, double exact, const VertexDistance
   return search_all(v, exact, known, work);
 }
 
-/// Searches from the vertex, by Dijkstra's algorithm; nothing if that takes too many vertices.
+/// Dijkstra's algorithm from the vertex v; empty if the search exceeds kMost vertices.
 std::optional<NearestOnCurve> EdgeWays::search_near(VertexId v, double exact,
                                                     const VertexDistances& known) {
   constexpr int kMost = 64;  // vertices
@@ -37,7 +37,7 @@ std::optional<NearestOnCurve> EdgeWays::search_near(VertexId v, double exact,
     for (Reached& r : reached_) {
       if (!r.settled && (next == nullptr || r.way < next->way)) next = &r;
     }
-    // Every remaining way leads through a vertex that lies at least next->way from v and farther
+    // Every remaining path leads through a vertex that lies at least next->way from v and farther
     // than `exact` from the curves.
     if (next == nullptr || !(next->way + exact < best.distance)) return best;
     next->settled = true;
@@ -78,8 +78,8 @@ void EdgeWays::start_from_all(double exact, const VertexDistances& known) {
   }
 }
 
-/// Searches from the other end, by Dijkstra's algorithm from all exact distances, continuing where
-/// the last query stopped.
+/// Dijkstra's algorithm from all vertices with exact distances, continued where the last query
+/// stopped.
 NearestOnCurve EdgeWays::search_all(VertexId v, double exact, const VertexDistances& known,
                                     WorkTally& work) {
   constexpr std::size_t kOfVertex = 8;  // units of work

@@ -1,4 +1,4 @@
-// Edge ways lead along edges to vertices whose distances are known.
+// Edge ways are paths along edges to vertices whose distances are known.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,19 @@
 
 namespace talweg {
 
-/// Exact distances would cost far more where faces are needles: there the number of windows grows
-/// with the square of the number of edges. The surface must outlive the object.
+/// Finds upper bounds where exact distances would cost far more: among needles, the number of
+/// windows grows with the square of the number of edges. The surface must outlive the object.
 class EdgeWays {
  public:
   explicit EdgeWays(const Surface& surface) : surface_(&surface) {}
 
-  /// To be called when the distances of the vertices are others.
+  /// Must be called when the distances of the vertices have been reset.
   void clear() { from_ = -1; }
 
-  /// The shortest way from v, which is farther than `exact` from the curves, along edges to a
-  /// vertex within that distance; all distances up to it must be known. Infinite where there is
-  /// none. Work is told; what was found stays when that throws.
+  /// The nearest point of the curves over a path along edges, from a vertex v farther than `exact`
+  /// from the curves to a vertex within `exact`. All distances up to `exact` must be known.
+  /// Infinite if there is no such path. Reports its cost to `work`; the search continues at the
+  /// next query if the report throws.
   NearestOnCurve shortest(VertexId v, double exact, const VertexDistances& known, WorkTally& work);
 
  private:
@@ -50,7 +51,7 @@ class EdgeWays {
   void push(VertexId v, const NearestOnCurve& nearest);
 
   const Surface* surface_;
-  std::vector<Reached> reached_;  // by the last search from a vertex
+  std::vector<Reached> reached_;  // vertices reached by the last search_near()
   // The search from all exact distances: its limit, queue and settled vertices.
   double from_ = -1;
   std::vector<Way> queue_;

@@ -47,7 +47,8 @@ FaceBeyond::FaceBeyond(const Surface& surface, HalfedgeId into)
 
 FaceBeyond::Reached FaceBeyond::reached_through(const EdgeWindow& window) const {
   const PlanePoint d0 = direction(window, window.begin), d1 = direction(window, window.end);
-  // Positive where the apex is to the left of the way through the window's begin, and its end.
+  // Positive where the apex is to the left of the path through the window's begin, and through its
+  // end.
   const double side0 = d0.x * top.y - d0.y * (top.x - window.begin);
   const double side1 = d1.x * top.y - d1.y * (top.x - window.end);
   Reached reached;

@@ -1,4 +1,5 @@
-// The face beyond a window is the one that its ways lead into; they reach its two other sides.
+// The face beyond a window is the face that the window's paths enter; they reach its two other
+// sides.
 #pragma once
 
 #include <array>
@@ -10,14 +11,15 @@
 
 namespace talweg {
 
-/// A window laid out along `into` where that is the edge's other halfedge; and back again.
+/// Converts a window from the layout along the edge's own halfedge to the layout along `into`, and
+/// back.
 inline EdgeWindow laid_along(HalfedgeId into, const EdgeWindow& window, double length) {
   return into == halfedge_of(edge_of(into)) ? window : window.turned(length);
 }
 
 /// The face of the halfedge `into`, laid out with that halfedge from (0, 0) to (length, 0) and the
-/// face above, so that sources lie below. Windows must be laid out along `into`, too. What they
-/// become on another side is laid out along the twin of that side, into the next face.
+/// face above, so that sources lie below. Windows must be laid out along `into`, too. Their
+/// continuations on another side are laid out along the twin of that side, into the next face.
 struct FaceBeyond {
   HalfedgeId right, left;  ///< from the head of `into` to the apex, and from there to its tail
   double length = 0, right_length = 0, left_length = 0;
@@ -27,7 +29,7 @@ struct FaceBeyond {
   FaceBeyond(const Surface& surface, HalfedgeId into);
 
   using Stretch = std::array<double, 2>;  // of a side: begin, end
-  /// The stretches of the two sides that straight ways through the window reach.
+  /// The stretches of the two sides that straight paths through the window reach.
   struct Reached {
     std::optional<Stretch> right, left;
   };

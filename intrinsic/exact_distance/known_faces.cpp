@@ -36,7 +36,8 @@ void KnownFaces::copy(FaceId face, const WindowFront& front, const PolylinePiece
   store_windows(copy);
 }
 
-/// Stores the windows in the copy's room, or allocates twice the room that they need.
+/// Stores the windows in the memory of the copy; allocates twice the needed memory if it is too
+/// small.
 void KnownFaces::store_windows(Copy& copy) {
   copy.count = static_cast<std::uint32_t>(into_one_face_.size());
   if (copy.count > copy.room) {

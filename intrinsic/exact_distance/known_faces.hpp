@@ -1,4 +1,4 @@
-// The known faces are copies of what is known about the ways into faces, for queries inside them.
+// Known faces cache the windows and corner distances of faces, for queries inside the faces.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,19 @@
 
 namespace talweg {
 
-/// A face is copied as the front knows it then; what was final then stays final. So most queries
-/// need not look at the front. 4 bytes per face. The surface must outlive the object.
+/// A copy holds the front's data about a face at the time of the copy. Values that were final then
+/// stay final, so most queries need not read the front. 4 bytes per face. The surface must outlive
+/// the object.
 class KnownFaces {
  public:
   explicit KnownFaces(const Surface& surface);
 
-  /// To be called when the front has new curves. O(copies).
+  /// Must be called when the front gets new curves. O(copies).
   void clear();
 
   struct Known {
     WaysIntoFace ways;
-    double front = 0;  ///< where the front was when the face was copied
+    double front = 0;  ///< the front's distance when the face was copied
   };
   [[nodiscard]] bool contain(FaceId face) const { return copy_of_[face.index()] != kNone; }
   /// The last copy of the face, which must exist. Valid until any face is copied.
@@ -32,7 +33,7 @@ class KnownFaces {
     copy.ways.windows = {led_in_.data() + copy.first, copy.count};
     return copy;
   }
-  /// Copies the face as it is now.
+  /// Copies the front's current data about the face.
   void copy(FaceId face, const WindowFront& front, const PolylinePieces& pieces);
 
  private:

@@ -13,13 +13,15 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// Two corners of a face with their distances, the side between them, and the sides to the third.
+/// Two corners of a face: their distances, the length of the side between them, and the lengths of
+/// the sides to the third corner.
 struct Base {
   double left, right, width, to_left, to_right;
 };
 
-/// The distance at the third corner from the point below the base that has both distances. Infinite
-/// if there is none, or if the straight line from it does not cross the base.
+/// The distance of the third corner from the virtual source, the point below the base that has both
+/// distances. Infinite if there is no such point, or if the straight line from the source to the
+/// corner does not cross the base.
 double across(const Base& b) {
   const auto height_at = [](double x, double hypotenuse) {
     return std::sqrt(std::max(0.0, hypotenuse * hypotenuse - x * x));
@@ -68,7 +70,7 @@ class March {
   }
 
  private:
-  /// Each face at the vertex, from its halfedge that starts there.
+  /// Updates the faces around a vertex.
   void go_on_from(VertexId v) {
     const HalfedgeId first = surface_.halfedge(v);
     if (!first.valid()) return;
@@ -82,7 +84,8 @@ class March {
 
   void offer_along(HalfedgeId h) { offer(surface_.head(h), at(surface_.tail(h)) + length(h)); }
 
-  /// h starts at the vertex that was passed; its face may have another.
+  /// Updates the corners of the face of h from the tail of h, which the front has passed, and from
+  /// the other corners that it has passed.
   void improve(HalfedgeId h) {
     const HalfedgeId opposite = surface_.next(h), back = surface_.next(opposite);
     const VertexId v = surface_.tail(h), a = surface_.head(h), b = surface_.tail(back);
@@ -91,7 +94,7 @@ class March {
     const auto offer_across = [&](VertexId other, VertexId third, double width, double to_v,
                                   double to_other) {
       if (!passed_[other.index()]) return;
-      // Nothing is nearer than what was passed.
+      // The third corner is not nearer than the corner that the front has just passed.
       offer(third, std::max(at(v), across({at(v), at(other), width, to_v, to_other})));
     };
     offer_across(a, b, length(h), length(back), length(opposite));
@@ -110,7 +113,7 @@ class March {
   const Surface& surface_;
   std::vector<double>& distance_;
   std::vector<bool> known_, passed_;
-  using Entry = std::pair<double, std::size_t>;  // ties go to the smaller number
+  using Entry = std::pair<double, std::size_t>;  // ties go to the smaller vertex number
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front_;
 };
 

@@ -1,4 +1,4 @@
-// A distance that is known near curves is carried on over the rest of a surface, in little time.
+// Fast marching extends distances that are known near curves over the rest of a surface.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace talweg {
 
-/// Fills in distances that are infinite from those that are known, mesh units, one per vertex.
-/// Known ones stay; what no known one is connected with stays infinite.
+/// Fills in the infinite entries of `distance` (mesh units, one per vertex) from the finite ones.
+/// Finite entries stay; entries stay infinite in components without a finite entry.
 ///
-/// The front goes over the faces in the order of distance (Kimmel & Sethian 1998). Across a face it
-/// is that of the one point, in the face's plane, which has the known distances from two corners
-/// (Novotni & Klein 2002): exact on a plane around a point, elsewhere a few per cent too long or
-/// too short, at most by what the front bends in a face. Never longer than along edges. O(n log n)
-/// for n vertices. Throws std::invalid_argument for another number of distances than vertices, and
-/// Cancelled when the asker does.
+/// The front passes the vertices in the order of distance (Kimmel & Sethian 1998). Across a face,
+/// the distance at a corner is measured from a virtual source, the point in the face's plane that
+/// has the known distances from the two other corners (Novotni & Klein 2002). Distances from a
+/// point in a plane are exact; other distances are a few per cent too long or too short, depending
+/// on how much the front bends within a face. No distance is longer than the shortest path along
+/// edges. O(n log n) for n vertices. Throws std::invalid_argument when the number of distances is
+/// not the number of vertices, and Cancelled when the asker does.
 void march_distance(const Surface& surface, std::vector<double>& distance, Asker& asker);
 
 }  // namespace talweg

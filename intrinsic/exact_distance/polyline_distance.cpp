@@ -12,8 +12,8 @@ namespace {
 
 using Nearest = PolylineDistance::Nearest;
 
-// Among ordinary faces an edge has 3 to 20 windows, among needles hundreds. One takes 64 bytes and
-// about a microsecond.
+// Edges of ordinary faces have 3 to 20 windows, edges of needles hundreds. A window takes 64 bytes
+// and about a microsecond.
 constexpr std::size_t kWindows = 100'000, kWindowsOfPoint = 32, kWindowsOfEdge = 32,
                       kMostWindows = 8'000'000;
 
@@ -58,7 +58,8 @@ Nearest PolylineDistance::finish(Nearest nearest) const {
   return nearest;
 }
 
-/// Whether a distance known beside that vertex is final, or all further marching would be in vain.
+/// Whether a distance known at the vertex `beside`, or in an element next to it, is final, or the
+/// front never reaches this vertex.
 bool PolylineDistance::is_final_at(VertexId beside, double distance) {
   return front_.is_final(distance) || components_.keep_out(front_, beside);
 }
@@ -119,7 +120,7 @@ double PolylineDistance::below(double limit, const SurfacePoint& point) {
 }
 
 std::vector<Stretch> PolylineDistance::within(EdgeId edge, double limit) {
-  constexpr double kGap = 1e-11;  // of the edge: windows side by side may miss each other by that
+  constexpr double kGap = 1e-11;  // relative to the edge: the largest gap of adjacent windows
   reach(limit);
   const double length = surface_->length(edge);
   const HalfedgeId h = halfedge_of(edge);
@@ -146,7 +147,7 @@ const WaysIntoFace& PolylineDistance::ways_into(FaceId face, double limit) {
   return faces_.at(face).ways;
 }
 
-/// The ways into a face that are final for the answer at b, and that answer.
+/// The ways into a face, final as far as the answer at b needs them; sets `hit` to this answer.
 const WaysIntoFace& PolylineDistance::final_ways(FaceId face, const Barycentric& b,
                                                  WaysIntoFace::Hit& hit) {
   if (!faces_.contain(face)) faces_.copy(face, front_, pieces_);
@@ -163,7 +164,7 @@ const WaysIntoFace& PolylineDistance::final_ways(FaceId face, const Barycentric&
   }
 }
 
-/// A vertex of the face, edge or vertex where a point lies.
+/// A vertex of the element that contains a point.
 VertexId PolylineDistance::vertex_beside(const SurfacePoint& point) const {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
   if (const auto* e = std::get_if<OnEdge>(&point.where())) {
@@ -172,7 +173,7 @@ VertexId PolylineDistance::vertex_beside(const SurfacePoint& point) const {
   return surface_->tail(surface_->halfedge(std::get<InFace>(point.where()).face));
 }
 
-/// The distance as it is known now, without any marching.
+/// The currently known distance, without marching.
 double PolylineDistance::known_at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) {
     return front_.vertices()[v->vertex].distance;

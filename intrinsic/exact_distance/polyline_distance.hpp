@@ -1,4 +1,5 @@
-// The distance to polylines along the surface is exact, and known only as far out as somebody asks.
+// The distance to polylines along the surface is exact, and computed only as far out as queries
+// need.
 #pragma once
 
 #include <array>
@@ -21,49 +22,49 @@
 
 namespace talweg {
 
-/// The length of the shortest way along the surface to the nearest of a set of curves. It is exact
-/// (up to rounding) on the polyhedral surface and for the curves' straight segments. The method,
-/// and alternatives that were tried: docs/distance.md.
+/// The length of the shortest path along the surface to the nearest of a set of curves. The
+/// distance is exact (up to rounding) on the polyhedral surface and for the curves' straight
+/// segments. The method, and alternatives that were tried: docs/distance.md.
 ///
 /// Windows (see EdgeWindow) spread from the curve in the order of their distance (WindowFront); a
 /// query lets them spread until its answer is final. Answers do not depend on which queries were
 /// made before, not even in the last bit. Memory is allocated once per object; set() and queries
-/// cost what they touch.
-/// One thread at a time. The surface must outlive the object.
+/// cost only the elements that they touch. One thread at a time. The surface must outlive the
+/// object.
 class PolylineDistance {
  public:
   /// O(vertices + edges), memory only.
   explicit PolylineDistance(const Surface& surface);
 
-  /// Sets the curves to measure from. O(points of the curves + what the last ones had touched). A
-  /// curve of one point is a point. Throws Error(kBadCurve) naming the curve and the point when a
-  /// curve has no points or two neighbours have no common face; then no curves are set.
+  /// Sets the curves to measure from. O(points of the curves + elements touched since the last
+  /// set()). A curve may be a single point. Throws Error(kBadCurve) naming the curve and the point
+  /// when a curve has no points or two neighbours have no common face; then no curves are set.
   void set(std::span<const SurfaceCurve> curves) { set(curves, WindowFront::Room{}); }
-  /// The same with few windows for each point, and for each edge on the way, for callers that can
-  /// do with upper bounds where these are used up: see exact_within().
+  /// Like set(), but with a limited number of windows per curve point and per edge. Once the limit
+  /// is reached, distances farther out are only upper bounds: see exact_within().
   void set_with_few_windows(std::span<const SurfaceCurve> curves);
 
-  /// Sets the asker that is asked while windows spread; null for none. With an asker, set() and
+  /// Sets the asker that is called while windows spread; null for none. With an asker, set() and
   /// every query may throw Cancelled. Then set() leaves no curves set, and an interrupted query
-  /// leaves the object as if it had not been made. See AskedDuring.
+  /// leaves the object as if the query had not been made. See AskedDuring.
   void ask(Asker* asker) { front_.work().ask(asker); }
 
   using Nearest = NearestOnCurve;
   Nearest at_vertex(VertexId v);
-  /// Like at_vertex() where the distance is at most `exact` (mesh units, >= 0). Farther out it is
-  /// the shortest way along edges to vertices within that distance, which is longer but needs no
-  /// exact distances beyond `exact`.
+  /// Like at_vertex() where the distance is at most `exact` (mesh units, >= 0). Farther out the
+  /// result follows the shortest path along edges to a vertex within `exact`: an upper bound that
+  /// needs no exact distances beyond `exact`.
   Nearest at_vertex_roughly(VertexId v, double exact);
   Nearest at(const SurfacePoint& point);
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
 
-  /// The distance inside a face at b (barycentrics, in the order of Surface::corners()) and how it
-  /// changes along a direction: one of the plane in which corner 0 of the face is the origin,
-  /// corner 1 lies on the positive x axis and corner 2 above it (as in FaceFrame).
+  /// The distance inside a face at b (barycentrics, in the order of Surface::corners()) and its
+  /// derivative along a direction of the plane in which corner 0 of the face is the origin, corner
+  /// 1 lies on the positive x axis and corner 2 above it (as in FaceFrame).
   struct FaceValue {
     double value = 0;
-    double slope = 0;         ///< of the value along the direction
+    double slope = 0;         ///< derivative of the value along the direction
     std::uint32_t curve = 0;  ///< as in Nearest
     double arc_length = 0;    ///< as in Nearest
     double arc_slope = 0;
@@ -75,11 +76,12 @@ class PolylineDistance {
   /// `limit`.
   double below(double limit, const SurfacePoint& point);
 
-  /// Where an edge is not farther than `limit`: stretches from the tail of halfedge_of(edge), mesh
-  /// units, in order. Computes no distances beyond `limit`. O(windows of the edge).
+  /// The parts of an edge that are not farther than `limit`: stretches from the tail of
+  /// halfedge_of(edge), mesh units, in order. Computes no distances beyond `limit`. O(windows of
+  /// the edge).
   std::vector<Stretch> within(EdgeId edge, double limit);
-  /// Everything that leads into a face, final for distances up to `limit` and an upper bound of
-  /// those beyond. Valid until the next call of any member function.
+  /// The ways into a face, final for distances up to `limit`; larger distances are upper bounds.
+  /// Valid until the next call of any member function.
   const WaysIntoFace& ways_into(FaceId face, double limit);
 
   /// Computes all distances below `distance`; queries do this by themselves.
@@ -87,17 +89,17 @@ class PolylineDistance {
     while (!front_.is_final(distance)) front_.march();
   }
 
-  /// Mesh units; for a closed curve including its last segment.
+  /// The length of a curve, mesh units, including the last segment of a closed curve.
   [[nodiscard]] double curve_length(std::size_t curve) const { return pieces_.lengths[curve]; }
   /// Arc length at every point of the curve as it was set, not decreasing.
   [[nodiscard]] std::span<const double> point_arcs(std::size_t curve) const {
     return pieces_.arcs[curve];
   }
-  /// All distances below this are already known.
+  /// The distance below which all distances are already known.
   [[nodiscard]] double front() const { return front_.distance(); }
-  /// Distances (mesh units) up to this are exact, those beyond are upper bounds, all of them
-  /// lengths of ways along the surface. Infinite unless there are few windows and they were used
-  /// up.
+  /// The limit (mesh units) up to which distances are exact. Larger distances are upper bounds,
+  /// lengths of paths along the surface. Infinite unless set_with_few_windows() has reached its
+  /// limit of windows.
   [[nodiscard]] double exact_within() const { return front_.exact_within(); }
   /// The number of windows made since set(), which measures the cost.
   [[nodiscard]] std::size_t window_count() const { return front_.windows().size(); }

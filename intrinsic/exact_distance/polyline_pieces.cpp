@@ -92,7 +92,8 @@ class Cutter {
     }
   }
 
-  /// A curve without length is a segment of none, so that the faces of its point know of it.
+  /// Adds a segment of length 0 for a curve of length 0, so that the faces of its point have a
+  /// piece of the curve.
   void add_lone_point(const SurfacePoint& point, std::uint32_t curve) {
     if (point.is_vertex()) return;
     for (const FaceId face : faces_at(surface_, point)) {

@@ -1,4 +1,4 @@
-// Polyline pieces are curves cut up by the faces they run through.
+// Polyline pieces are the points and segments of curves, sorted by the faces that contain them.
 #pragma once
 
 #include <array>
@@ -24,14 +24,14 @@ struct SideFrame {
     const double b = barycentric[(k + 1) % 3], c = barycentric[(k + 2) % 3];
     return {b * length + c * apex.x, c * apex.y};
   }
-  /// How the barycentrics, those of side k = 0's frame, change along a direction of this frame. Not
-  /// finite in a face without area.
+  /// The derivatives of the barycentrics along a direction of this frame, which must be the frame
+  /// of side 0. Not finite in a face without area.
   [[nodiscard]] std::array<double, 3> rates(PlanePoint direction) const {
     const double c = direction.y / apex.y, b = (direction.x - c * apex.x) / length;
     return {-b - c, b, c};
   }
 };
-/// k in {0, 1, 2}.
+/// The frame of side k of a face, k in {0, 1, 2}.
 SideFrame side_frame(const Surface& surface, FaceId face, std::size_t k);
 
 /// A curve's segment, or one of its points (from == to), in a face.

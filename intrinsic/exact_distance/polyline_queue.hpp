@@ -12,9 +12,9 @@
 namespace talweg {
 
 /// Items leave in order of their step, and within one step in the order in which they were pushed.
-/// kEven steps have the same width; then the widths of as many are twice as large, and so on: steps
-/// that are narrow enough near the sources would be too many far away. Keys far ahead wait in a
-/// separate list. Amortised O(1) for items within kRing steps.
+/// The first kEven steps have the same width, the next kEven steps twice that width, and so on:
+/// steps that are narrow enough near the sources would be too many far away. Keys far ahead wait in
+/// a separate list. Amortised O(1) for items within kRing steps.
 class StepQueue {
  public:
   struct Item {
@@ -89,7 +89,7 @@ class StepQueue {
     if (!std::isfinite(widths)) return kFarthest;
     const int doubling = std::ilogb(widths / kWidths + 1);
     const double beyond = std::ldexp(widths + kWidths, -doubling) - kWidths;
-    const double most = kWidths - 1;  // rounding may be about to double once more
+    const double most = kWidths - 1;  // rounding may reach the next doubling
     return kEven * static_cast<std::uint64_t>(doubling) +
            static_cast<std::uint64_t>(std::clamp(beyond, 0.0, most));
   }

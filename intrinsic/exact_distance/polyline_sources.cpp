@@ -29,8 +29,8 @@ std::optional<EdgeWindow> window_of_segment(const PolylinePiece& segment, const 
   const PlanePoint p = frame.at(segment.from, k), q = frame.at(segment.to, k);
   const double length = std::hypot(q.x - p.x, q.y - p.y);
   const double tx = (q.x - p.x) / length, ty = (q.y - p.y) / length;
-  // A segment perpendicular to the side reaches it only from its ends. If it is perpendicular up
-  // to kUpright, it is nearer than its ends by less than rounding.
+  // A segment perpendicular to the side reaches the side only from its ends. The interior of a
+  // segment that is perpendicular up to kUpright is nearer than the ends by less than rounding.
   if (!(std::abs(tx) > kUpright)) return {};
   const double first = p.x + p.y * ty / tx, last = q.x + q.y * ty / tx;
   EdgeWindow window;
@@ -74,8 +74,8 @@ void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFro
 
 namespace {
 
-/// How far apart the sides of a face are: about its mean side, but less in a needle, where so wide
-/// a step would spread windows over a thousand others at once.
+/// The width of a face: about the mean length of its sides, but less in a needle, where a step of
+/// that width would spread windows over a thousand needles at once.
 double width_of(const Surface& surface, FaceId face) {
   constexpr double kLeast = 1.0 / 4096;  // in faces without area
   const HalfedgeId h = surface.halfedge(face);

@@ -1,4 +1,4 @@
-// A window tells where on an edge the shortest way to a curve comes from, and how long it is.
+// A window is a part of an edge with the source and the length of the paths that reach this part.
 #pragma once
 
 #include <array>
@@ -9,22 +9,23 @@
 
 namespace talweg {
 
-/// A stretch of an edge whose points are reached straight from one source, in a planar layout.
+/// A stretch of an edge whose points are reached by straight paths from one source, in a planar
+/// layout.
 ///
 /// The edge lies on the x axis, halfedge_of(edge) running from (0, 0) to (length, 0) with its face
-/// above. The source is a point (a curve's point, or a vertex around which the way bends), or the
-/// interior of one of the curve's segments, from which parallel ways lead in one direction.
+/// above. The source is a point (a curve's point, or a vertex around which the path bends), or the
+/// interior of one of the curve's segments, from which parallel paths lead in one direction.
 /// (J. Mitchell, D. Mount, C. Papadimitriou, "The discrete geodesic problem", 1987; for polygonal
 /// sources D. Bommes, L. Kobbelt, "Accurate computation of geodesic distance fields for polygonal
 /// curves on triangle meshes", 2007.)
 struct EdgeWindow {
   double begin = 0;  ///< along the edge; the window is empty where end < begin
   double end = 0;
-  double px = 0;  ///< the source point; for a segment the unit direction of its ways
+  double px = 0;  ///< the source point; for a segment the unit direction of its paths
   double py = 0;
   double offset = 0;  ///< distance at the source; for a segment at (0, 0), extrapolated
   double arc = 0;     ///< arc length at the source; for a segment at (0, 0), extrapolated
-  HalfedgeId into;    ///< the ways continue into the face of this halfedge
+  HalfedgeId into;    ///< the paths continue into the face of this halfedge
   std::uint32_t curve = 0;
   std::int32_t sense = 0;  ///< 0: point; +-1: segment whose arc length grows along +-(py, -px)
   std::uint32_t next = 0;  ///< the next window in the list of the edge
@@ -42,12 +43,12 @@ struct EdgeWindow {
   /// The smallest distance in the window.
   [[nodiscard]] double lowest() const;
 
-  /// The distance at a point (x, y) off the edge on the best way through the window. The point lies
-  /// on the side to which the ways lead (y > 0 if `into` is the edge's own halfedge). Where the
-  /// straight way misses the window, the way bends at the window's end.
+  /// The distance at a point (x, y) off the edge over the shortest path through the window. The
+  /// point lies on the side to which the paths lead (y > 0 if `into` is the edge's own halfedge).
+  /// Where the straight path misses the window, the path bends at the window's end.
   [[nodiscard]] double value_beyond(double x, double y, double& arc_length) const;
 
-  /// Whether that way bends, and at which end of the window; `rise` is |y|.
+  /// Whether the path of value_beyond() bends, and at which end of the window; `rise` is |y|.
   [[nodiscard]] bool bends_towards(double x, double rise, double& at) const;
 
   /// The same window after a half turn of the edge about its middle.
@@ -60,10 +61,10 @@ struct Stretches {
   std::array<std::array<double, 2>, 2> at{};
 };
 
-/// The parts of [low, high] where window `a` is below window `b` by more than `tolerance`. Their
-/// borders are found to within `resolution` and lie outside the exact ones, within that distance.
-/// The difference of two distance functions on a line has at most one critical point, so there are
-/// at most two such parts.
+/// The parts of [low, high] where window `a` is below window `b` by more than `tolerance`. The
+/// borders of a part lie outside its exact borders, by at most `resolution`. The difference of two
+/// distance functions on a line has at most one critical point, so there are at most two such
+/// parts.
 Stretches where_below(const EdgeWindow& a, const EdgeWindow& b, double low, double high,
                       double tolerance, double resolution);
 

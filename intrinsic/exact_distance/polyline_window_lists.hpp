@@ -16,8 +16,8 @@
 namespace talweg {
 
 /// Nearly every edge has only a few windows, which form a list through EdgeWindow::next. The long
-/// sides of needles can have thousands, of which a new window meets two or three: there a crowd
-/// finds these, and bounds tell at once where a new window is not shorter.
+/// sides of needles can have thousands, of which a new window meets two or three. A crowd finds
+/// these few, and bounds exclude the parts where a new window is not shorter.
 class WindowLists {
  public:
   using Id = WindowStore::Id;
@@ -32,7 +32,7 @@ class WindowLists {
     windows_.clear();
   }
 
-  /// The number of windows added since clear(); an id is at most this.
+  /// The number of windows added since clear(); ids are smaller.
   [[nodiscard]] std::size_t size() const { return windows_.size(); }
   /// The number of edges that have had windows since clear().
   [[nodiscard]] std::size_t edge_count() const { return touched_.size(); }
@@ -68,8 +68,8 @@ class WindowLists {
     }
   }
 
-  /// The range of a new window without parts at its ends where ways that are known are shorter by
-  /// more than `same`. Only looked for where there are many windows.
+  /// The range of a new window without the parts at its ends where known distances are shorter by
+  /// more than `same`. On an edge with few windows, the whole range.
   EdgeRange not_longer(EdgeId edge, const EdgeWindow& window, double length, double same) {
     const Id first = first_[edge.index()];
     constexpr double kShort = 1e-290;  // so short edges cannot be divided into parts
@@ -78,8 +78,8 @@ class WindowLists {
     if (!crowd.bounds || crowd.bounds->parts() < crowd.extents.size()) bound(crowd, length);
     return crowd.bounds->not_longer(window, same, looked_at_);
   }
-  /// Calls use(EdgeWindow&) for the windows that meet a range. It returns the range to continue
-  /// with, and may cut the window, which is removed when it is empty.
+  /// Calls use(EdgeWindow&) for the windows that meet a range. `use` returns the range to continue
+  /// with, and may cut the window; an empty window is removed.
   template <class Use>
   void each_meeting(EdgeRange range, EdgeId edge, Use use) {
     Id& first = first_[edge.index()];
@@ -95,9 +95,9 @@ class WindowLists {
     }
   }
 
-  /// What searching in crowds has cost since this was last called, in units of work.
+  /// The cost of searches in crowds since the last call, in units of work.
   std::size_t take_work() {
-    constexpr std::size_t kOfUnit = 32;  // extents that are looked at
+    constexpr std::size_t kOfUnit = 32;  // visited extents
     const std::size_t units = looked_at_ / kOfUnit;
     looked_at_ %= kOfUnit;
     return units;
@@ -111,7 +111,7 @@ class WindowLists {
   static constexpr Id kNone = 0xFFFFFFFFU, kUntouched = kNone - 1;
   static constexpr Id kCrowd = 0x80000000U;  // the other bits are the index of the crowd
   static constexpr std::size_t kMany = 32;
-  static constexpr std::size_t kLooksOfAdding = 128;  // to a crowd: memory that lies anywhere
+  static constexpr std::size_t kLooksOfAdding = 128;  // to a crowd: cache misses
   struct Crowd {
     WindowCrowd extents;
     std::optional<EdgeBounds> bounds;
@@ -145,8 +145,8 @@ class WindowLists {
     first_[edge.index()] = kCrowd | static_cast<Id>(crowds_.size() - 1);
   }
 
-  /// Makes bounds of two to four parts a window; they serve until there are as many windows as
-  /// parts.
+  /// Makes bounds with two to four parts per window. The bounds are rebuilt once there are more
+  /// windows than parts.
   void bound(Crowd& crowd, double length) {
     std::size_t parts = 1;
     while (parts < 2 * crowd.extents.size()) parts *= 2;

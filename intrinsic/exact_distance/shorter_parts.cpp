@@ -5,9 +5,9 @@
 namespace talweg {
 namespace {
 
-/// Calls keep(from, to) for what lies in [begin, end] outside the overlap with another window,
-/// [low, high], and for what was won in it. What was won up to an end of the overlap continues
-/// beyond it.
+/// Calls keep(from, to) for the parts of [begin, end] outside [low, high], the overlap with another
+/// window, and for the parts of the overlap where the new window is shorter (`won`). A won part
+/// that reaches an end of the overlap is joined with the part beyond this end.
 template <class Keep>
 void keep_around(double begin, double end, double low, double high, const Stretches& won,
                  Keep keep) {

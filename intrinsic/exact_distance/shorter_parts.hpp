@@ -1,4 +1,4 @@
-// The shorter parts of a new window are where its ways are shorter than all that are known.
+// The shorter parts of a new window are the parts where its distances are below all known ones.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,17 @@
 
 namespace talweg {
 
-/// At first one part, the whole window or a part of it. Each older window of the edge then takes
-/// away what it reaches by a way at least as short, and is cut where the new window is shorter.
-/// Borders are found to kBorder; there neighbouring windows overlap by a few times that, so that no
-/// point of the edge falls between two.
+/// At first there is one part, the whole window or a part of it. Each older window of the edge then
+/// removes the parts where it is at least as short, and is cut where the new window is shorter.
+/// Borders are accurate to kBorder. Adjacent windows overlap by a few times kBorder, so that no
+/// point of the edge falls between two windows.
 class ShorterParts {
  public:
   using Part = std::array<double, 2>;  // from, to
 
-  /// `length` is that of the edge. The new window counts as shorter where it is so by more than
-  /// `same`. It must outlive the object. `whole`: where it can be shorter at all.
+  /// `length` is the length of the edge. The new window, which must outlive the object, counts as
+  /// shorter where its distance is less by more than `same`. `whole`: the part where the window can
+  /// be shorter at all.
   ShorterParts(const EdgeWindow& window, double length, double same, const Part& whole)
       : window_(&window), length_(length), same_(same), size_(size_of(window, length)) {
     parts_.add(whole[0], whole[1]);
@@ -31,13 +32,14 @@ class ShorterParts {
   void compare_with(EdgeWindow& other);
 
   [[nodiscard]] bool empty() const { return parts_.count == 0; }
-  /// Disjoint, in order. When there would be too many, gaps are closed, which only costs time.
+  /// Disjoint, sorted. Gaps are closed when there would be too many parts, which only costs time.
   [[nodiscard]] std::span<const Part> parts() const { return {parts_.at.data(), parts_.count}; }
 
-  /// Accuracy of borders, relative to the edge or to the distance of the source; the latter can be
-  /// far shorter than the edge although its ways lead everywhere.
+  /// Accuracy of borders, relative to the edge's length or to the source's distance from the
+  /// window, whichever is smaller. A source can be far nearer than the edge is long and reach all
+  /// of the edge.
   static constexpr double kBorder = 1e-10;
-  /// Parts and windows narrower than this times the accuracy are dropped.
+  /// Parts and windows narrower than kNarrow times the accuracy are dropped.
   static constexpr double kNarrow = 8;
 
  private:

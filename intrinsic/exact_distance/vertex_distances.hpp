@@ -1,4 +1,4 @@
-// The vertex distances are the best known ones, which later windows may still improve.
+// Vertex distances are the shortest distances known so far; later windows may lower them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class VertexDistances {
   explicit VertexDistances(std::size_t vertex_count)
       : nearest_(vertex_count, NearestOnCurve::none()) {}
 
-  /// All distances are infinite again. O(vertices that were reached).
+  /// Makes all distances infinite. O(reached vertices).
   void clear() {
     for (const VertexId v : reached_) nearest_[v.index()] = NearestOnCurve::none();
     reached_.clear();
@@ -27,7 +27,8 @@ class VertexDistances {
   /// The vertices with finite distances, in the order in which they were first reached.
   [[nodiscard]] std::span<const VertexId> reached() const { return reached_; }
 
-  /// Takes a shorter way, and no other. True if it is shorter by more than rounding.
+  /// Stores a path that is shorter than the known one, and ignores other paths. True if the path is
+  /// shorter by more than rounding.
   bool lower(VertexId v, const NearestOnCurve& way) {
     NearestOnCurve& known = nearest_[v.index()];
     if (!(way.distance < known.distance)) return false;

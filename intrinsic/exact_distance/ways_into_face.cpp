@@ -15,9 +15,9 @@ double nearest_part(PlanePoint x, PlanePoint p, PlanePoint q) {
   return std::clamp(((x.x - p.x) * (dx / length) + (x.y - p.y) * (dy / length)) / length, 0.0, 1.0);
 }
 
-/// How a shortest way arrives at a point in the plane.
+/// The direction in which a shortest path arrives at a point in the plane.
 struct Arrival {
-  PlanePoint direction;      // unit direction of the way there; 0 at the source
+  PlanePoint direction;      // unit direction of the path at the point; 0 at the source
   PlanePoint arc_direction;  // gradient of the arc length
 };
 
@@ -51,7 +51,7 @@ Arrival from_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
 
 namespace {
 
-/// The way through a window of a side to a point in that side's frame.
+/// The path through a window of a side to a point in that side's frame.
 NearestOnCurve through(const LedIn& in, double length, PlanePoint p) {
   NearestOnCurve nearest{0, in.window.curve, 0};
   nearest.distance = in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
@@ -59,7 +59,7 @@ NearestOnCurve through(const LedIn& in, double length, PlanePoint p) {
   return nearest;
 }
 
-/// The way from a segment in the face itself to a point in the frame of side 0.
+/// The path from a segment in the face itself to a point in the frame of side 0.
 NearestOnCurve straight_from(const PolylinePiece& segment, const SideFrame& frame, PlanePoint at) {
   const PlanePoint p = frame.at(segment.from, 0), q = frame.at(segment.to, 0);
   const double part = nearest_part(at, p, q), dx = q.x - p.x, dy = q.y - p.y;
@@ -69,8 +69,8 @@ NearestOnCurve straight_from(const PolylinePiece& segment, const SideFrame& fram
 
 }  // namespace
 
-/// Offers ways through the windows of the sides, which are at least as long as at the windows'
-/// lowest point.
+/// Replaces `best` by shorter paths through the windows of the sides. A path is at least as long as
+/// the smallest distance of its window.
 void WaysIntoFace::offer_windows(const Corners& at, Hit& best) const {
   for (const LedIn& in : windows) {
     if (in.lowest > best.nearest.distance) continue;

@@ -1,5 +1,5 @@
-// The ways into a face are all that reach a point inside it: through its sides, from its corners,
-// and from curves in the face itself.
+// The ways into a face are the paths that reach points inside the face: through its sides, from its
+// corners, and from curves in the face itself.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct LedIn {
   bool own = true;  ///< whether the window's x runs along the side rather than against it
 };
 
-/// Everything that a query inside a face reads, side by side in memory. Only views windows and
-/// segments.
+/// The data that a query inside a face reads, side by side in memory. Windows and segments are
+/// views.
 struct WaysIntoFace {
   std::array<SideFrame, 3> frames;
   std::array<NearestOnCurve, 3> corners;
@@ -33,23 +33,23 @@ struct WaysIntoFace {
 
   using Barycentric = std::array<double, 3>;  ///< in the order of Surface::corners()
 
-  /// The shortest way to a point of the face, and where it comes from.
+  /// The shortest path to a point of the face, and its origin.
   struct Hit {
     NearestOnCurve nearest;
-    std::size_t side = 0;  ///< the side in whose frame the way arrives
+    std::size_t side = 0;  ///< the side in whose frame the path arrives
     const LedIn* window = nullptr;
-    const PolylinePiece* segment = nullptr;  ///< if both are null: from the corner of that side
+    const PolylinePiece* segment = nullptr;  ///< both null: a path from corner `side`
   };
   /// At most O(windows + segments of the face).
   [[nodiscard]] Hit hit(const Barycentric& b) const;
 
-  /// The number of ways: one from each corner, through each window, and from each segment.
+  /// The number of paths: one from each corner, through each window, and from each segment.
   [[nodiscard]] std::size_t count() const { return 3 + windows.size() + segments.size(); }
-  /// Way number i < count() to a point of the face, whether it is the shortest or not. Its length
-  /// is a convex function on the face, and the distance is the least of them.
+  /// Path number i < count() to a point of the face, whether it is the shortest or not. The length
+  /// of a path is a convex function on the face, and the distance is the least length.
   [[nodiscard]] Hit way(std::size_t i, const Barycentric& b) const;
 
-  /// How the answer at b changes along a direction, one of the plane of frames[0].
+  /// The derivatives of the answer at b along a direction in the plane of frames[0].
   struct Slopes {
     double distance = 0;
     double arc_length = 0;

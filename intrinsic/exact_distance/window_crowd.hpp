@@ -1,5 +1,5 @@
-// A window crowd holds the extents of the many windows of one edge, so that those in a place are
-// found.
+// A window crowd holds the extents of the many windows of one edge, and finds the windows in a
+// range.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ struct EdgeRange {
 };
 
 /// The extents lie in bins of up to kMost, side by side along the edge. Windows of one edge hardly
-/// overlap, so a range meets few bins beside those that it contains. For n windows, adding one
-/// costs O(kMost + n / kMost), and so does a search, beside what it finds.
+/// overlap, so a range meets few bins besides the bins that it contains. Among n windows, an
+/// addition costs O(kMost + n / kMost); a search costs the same and the windows that it finds.
 class WindowCrowd {
  public:
   using Id = std::uint32_t;
@@ -48,9 +48,9 @@ class WindowCrowd {
     }
   }
 
-  /// Calls use(Id, EdgeRange&) for the windows that meet a range. It returns the range to continue
-  /// with, and may make the extent smaller; a window whose extent is then empty is taken out.
-  /// Returns how many extents were looked at.
+  /// Calls use(Id, EdgeRange&) for the windows that meet a range. `use` returns the range to
+  /// continue with, and may make the extent smaller; a window with an empty extent is removed.
+  /// Returns the number of visited bins and extents.
   template <class Use>
   std::size_t each_meeting(EdgeRange range, Use use) {
     std::size_t looked_at = 0;

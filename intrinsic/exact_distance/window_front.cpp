@@ -51,7 +51,7 @@ NearestOnCurve WindowFront::on_edge(EdgeId edge, double x) const {
   return best;
 }
 
-/// Prefetches memory for the next items, whose windows and edges lie anywhere.
+/// Prefetches memory for the next items, whose windows and edges are scattered.
 void WindowFront::fetch_ahead() const {
   if (const auto* item = queue_.ahead(5); item != nullptr && item->kind == kWindowItem) {
     windows_.fetch(item->id);
@@ -83,7 +83,7 @@ void WindowFront::march() {
     const EdgeWindow window = windows_[item.id];
     if (window.is_empty()) continue;
     if (const double lowest = window.lowest(); queue_.is_later(lowest)) {
-      queue_.push({lowest, item.id, kWindowItem});  // it has been cut since it was pushed
+      queue_.push({lowest, item.id, kWindowItem});  // the window was cut after its push
     } else {
       propagate(window);
     }
@@ -105,9 +105,9 @@ void WindowFront::add(const EdgeWindow& window) {
   insert(laid_along(window.into, window, surface_->length(edge_of(window.into))));
 }
 
-/// In faces without area, a point source may lie on the side of its own window. Then all its ways
-/// pass through that one point, even if only a small part of the side is nearest to it. These ways
-/// are continued at once, through a stack of such faces if necessary.
+/// In faces without area, a point source may lie on the side of its own window. All paths of the
+/// window then pass through the source point, even if only a small part of the side is nearest to
+/// it. These paths are continued at once, through a stack of such faces if necessary.
 void WindowFront::pass_on(const EdgeWindow& window, int most) {
   const HalfedgeId into = window.into;
   const bool through = window.px > 0 && window.px < surface_->length(edge_of(into));
@@ -120,9 +120,9 @@ void WindowFront::pass_on(const EdgeWindow& window, int most) {
   }
 }
 
-/// A way leads along the edges from every vertex to its neighbours. It is seldom the shortest one,
-/// but it bounds all distances whatever the triangles are like. Ways across faces start only at
-/// vertices where a shortest way can bend.
+/// Continues from a vertex along the edges to its neighbours. Paths along edges are seldom the
+/// shortest, but they bound all distances, whatever the shapes of the triangles. Paths across faces
+/// start only at sources and at vertices where a shortest path can bend.
 void WindowFront::spread_from(VertexId v) {
   const NearestOnCurve from = vertices_[v];
   const HalfedgeId first = surface_->halfedge(v);
@@ -137,13 +137,13 @@ void WindowFront::spread_from(VertexId v) {
   } while (h != first);
 }
 
-/// Ways lead from the tail of a halfedge across its face to the opposite side.
+/// Adds the window of the paths from the tail of a halfedge across its face to the opposite side.
 void WindowFront::spread_across(HalfedgeId spoke, const NearestOnCurve& from) {
   const HalfedgeId opposite = surface_->next(spoke), last = surface_->next(opposite);
   const double length = surface_->length(edge_of(opposite));
   const double near = surface_->length(edge_of(spoke));
   const double far = surface_->length(edge_of(last));
-  // As in insert(), but before anything is laid out.
+  // The same tests as in insert(), but before the layout of the window.
   const double same = NearestOnCurve::kSame * (length + from.distance + near);
   const double at_near = vertices_[surface_->tail(opposite)].distance;
   const double at_far = vertices_[surface_->tail(last)].distance;
@@ -162,9 +162,9 @@ void WindowFront::spread_across(HalfedgeId spoke, const NearestOnCurve& from) {
   pass_on(window);
 }
 
-/// Keeps the parts of a new window that are shorter than everything known on its edge, and removes
-/// the parts of other windows that it makes superfluous. Ways lead on from its ends, along the
-/// edge. The window must be laid out along the edge's own halfedge.
+/// Stores the parts of a new window that are shorter than all known distances on its edge, and
+/// removes the superfluous parts of other windows. Paths continue from the ends of the new window
+/// along the edge. The window must be laid out along the edge's own halfedge.
 void WindowFront::insert(const EdgeWindow& window) {
   const EdgeId edge = edge_of(window.into);
   const double length = surface_->length(edge);
@@ -172,7 +172,8 @@ void WindowFront::insert(const EdgeWindow& window) {
   const VertexId head = surface_->head(halfedge_of(edge));
   const double at_begin = window.value(window.begin), at_end = window.value(window.end);
   const double same = NearestOnCurve::kSame * (length + at_begin);
-  // It is longer everywhere than the way along the edge from one of the edge's ends.
+  // The window is dropped if a path along the edge, from one of the edge's ends, is shorter
+  // everywhere.
   if (vertices_[tail].distance + window.end + same < at_end) return;
   if (vertices_[head].distance + (length - window.begin) + same < at_begin) return;
   const double to_tail = at_begin + window.begin, to_head = at_end + (length - window.end);
@@ -200,7 +201,7 @@ void WindowFront::insert(const EdgeWindow& window) {
   }
 }
 
-/// What has no room would have led to distances behind the front.
+/// A window without room would change only distances that the front has not reached.
 bool WindowFront::has_room() {
   if (!std::isinf(exact_within_)) return false;
   const std::size_t count = windows_.size();

@@ -16,27 +16,27 @@
 
 namespace talweg {
 
-/// It holds everything that is known so far: the windows of all edges and the distances of the
-/// vertices. Sources are given by send() and start_at(); each march() then moves the front on by
-/// one step. What lies behind the front is final. Memory is allocated once per object; everything
-/// else costs what it touches. The surface must outlive the object.
+/// The front holds the windows of all edges and the distances of the vertices that are known so
+/// far. send() and start_at() add sources; each march() then moves the front on by one step.
+/// Distances below the front are final. Memory is allocated once per object; all other costs are
+/// proportional to the elements touched. The surface must outlive the object.
 class WindowFront {
  public:
   explicit WindowFront(const Surface& surface);
 
-  /// How many windows there may be. Among needles their number grows with the square of the number
-  /// of edges, elsewhere there are a few for each.
+  /// The limit of the number of windows. Among needles the number grows with the square of the
+  /// number of edges; ordinary edges have a few windows each.
   struct Room {
-    std::size_t windows = SIZE_MAX;   ///< besides
-    std::size_t windows_of_edge = 0;  ///< for each edge that has windows
-    std::size_t most = SIZE_MAX;      ///< in any case
+    std::size_t windows = SIZE_MAX;   ///< for all edges together
+    std::size_t windows_of_edge = 0;  ///< added for each edge that has windows
+    std::size_t most = SIZE_MAX;      ///< upper limit of the sum
   };
   /// Forgets all sources, windows and distances. `step` > 0, mesh units.
   void reset(double step, const Room& room);
   void reset(double step) { reset(step, Room{}); }
 
-  /// Adds a window of a source inside a face. It is laid out along the halfedge of that face, whose
-  /// twin is window.into.
+  /// Adds a window of a source inside a face. The window is laid out along the halfedge of this
+  /// face whose twin is window.into.
   void send(const EdgeWindow& window);
   /// Adds a vertex as source.
   void start_at(VertexId v, const NearestOnCurve& from);
@@ -45,25 +45,25 @@ class WindowFront {
   /// the asker of work() does; the next march() continues there.
   void march();
 
-  /// Nothing that is still to come is nearer; infinite when all is done.
+  /// A lower bound of the distances still to come; infinite when the front is done.
   [[nodiscard]] double distance() const { return queue_.front(); }
-  /// Whether a distance that was found can no longer become shorter.
+  /// Whether a distance that was found can no longer decrease.
   [[nodiscard]] bool is_final(double found) const {
     return is_done() || is_behind(found, distance());
   }
-  /// The same for what was found when the front was at `front`, however far it is now.
+  /// The same for a distance that was found when the front was at `front`.
   [[nodiscard]] bool is_behind(double found, double front) const {
     return found + queue_.step() / 64 < front;
   }
   [[nodiscard]] bool is_done() const { return queue_.empty(); }
 
-  /// Distances up to this are exact; those farther out are not less than the exact ones. Infinite
-  /// while there is room for windows; then only ways along edges lead on.
+  /// The limit up to which distances are exact; larger ones are upper bounds. Infinite while there
+  /// is room for windows; without room, only paths along edges continue.
   [[nodiscard]] double exact_within() const { return exact_within_; }
 
   /// The best known values, which are final where is_final() says so.
   [[nodiscard]] const VertexDistances& vertices() const { return vertices_; }
-  /// x from the tail of the edge's own halfedge.
+  /// The best known value at x, measured from the tail of the edge's own halfedge.
   [[nodiscard]] NearestOnCurve on_edge(EdgeId edge, double x) const;
 
   [[nodiscard]] const WindowLists& windows() const { return windows_; }

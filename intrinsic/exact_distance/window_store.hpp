@@ -10,8 +10,8 @@
 
 namespace talweg {
 
-/// In blocks, so that windows stay where they are: a vector that grows would for a moment hold
-/// millions of them twice.
+/// Windows are stored in blocks and never move: a growing vector would for a moment hold millions
+/// of windows twice.
 class WindowStore {
  public:
   using Id = std::uint32_t;
@@ -31,7 +31,7 @@ class WindowStore {
     return id;
   }
 
-  /// Keeps the memory.
+  /// Removes all windows and keeps the memory.
   void clear() { size_ = 0; }
 
  private:

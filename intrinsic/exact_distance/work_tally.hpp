@@ -1,4 +1,4 @@
-// A work tally counts work until it is told to an asker.
+// A work tally counts work until the work is reported to an Asker.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace talweg {
 
-/// Counts in the units of Asker::did(). Counting never throws, telling may: so work is counted
-/// anywhere and told only between two complete steps.
+/// Counts in the units of Asker::did(). add() never throws, but tell() may: so work is added
+/// anywhere and reported only between two complete steps.
 class WorkTally {
  public:
-  /// Sets whom to tell; null for nobody.
+  /// Sets the asker that tell() reports to; null for none.
   void ask(Asker* asker) { asker_ = asker; }
   void add(std::size_t units) { units_ += units; }
   /// Throws Cancelled if the asker does.
@@ -22,7 +22,7 @@ class WorkTally {
 
  private:
   Asker* asker_ = nullptr;
-  std::size_t units_ = 0;  // since the asker was last told
+  std::size_t units_ = 0;  // since the last tell()
 };
 
 }  // namespace talweg

@@ -15,7 +15,7 @@ std::array<double, 3> side_lengths(SignpostTriangulation& triangulation, Halfedg
 }
 
 /// True when the angles opposite the edge sum to more than pi. Their cotangents are N / (4 A) with
-/// N = b² + c² - a²; the sum's sign is that of N₁ A₂ + N₂ A₁, which also holds for areas of 0.
+/// N = b² + c² - a²; the sign of their sum is the sign of N₁ A₂ + N₂ A₁, also for areas of 0.
 bool wants_flip(SignpostTriangulation& triangulation, EdgeId e) {
   const HalfedgeId h = halfedge_of(e);
   double numerator[2] = {}, area[2] = {}, size[2] = {};

@@ -32,7 +32,7 @@ bool FlatFlips::is_convex(HalfedgeId h) const {
   return orient(b, a, c) > kFlat * size && orient(a, b, d) > kFlat * size;
 }
 
-/// Whether the two angles across the edge are together at most pi, up to rounding.
+/// Whether the two angles opposite the edge sum to at most pi, up to rounding.
 bool FlatFlips::is_delaunay(HalfedgeId h) const {
   constexpr double kRounding = 1e-9;
   const SignpostTriangulation& t = *triangulation_;
@@ -55,7 +55,7 @@ void FlatFlips::turn(HalfedgeId h) {
 
 void FlatFlips::improve(std::vector<HalfedgeId> edges) {
   const SignpostTriangulation& t = *triangulation_;
-  // Lawson's flips always end, but for rounding.
+  // Lawson's flips end in exact arithmetic; the limit guards against rounding.
   for (std::size_t left = 10000 + 64 * edges.size(); !edges.empty() && left > 0; --left) {
     const HalfedgeId h = edges.back();
     edges.pop_back();
@@ -69,7 +69,7 @@ FlatFlips::Way FlatFlips::way(HalfedgeId h, VertexId to, FaceId face) const {
   const SignpostTriangulation& t = *triangulation_;
   const Weights p = weights_in(t, t.tail(h), face), q = weights_in(t, to, face);
   Way way;
-  // Among slivers rounding may lead astray.
+  // The limit on crossed edges guards against rounding among slivers.
   for (HalfedgeId e = t.next(h); is_inside(e) && way.crossed.size() < t.edge_count();) {
     const Weights b = weights_in(t, t.tail(e), face), c = weights_in(t, t.head(e), face);
     if (is_fixed(edge_of(e))) {
@@ -98,7 +98,7 @@ HalfedgeId FlatFlips::clear(const Way& way, VertexId from, VertexId to, FaceId f
   const auto left_of = [&](VertexId v) { return orient(p, q, weights_in(t, v, face)) > 0; };
   std::deque<HalfedgeId> crossed(way.crossed.begin(), way.crossed.end());
   std::vector<HalfedgeId> turned;
-  // Sloan's bound; without it, flips among slivers might go round in circles.
+  // Sloan's bound on the number of flips; rounding among slivers might repeat flips without end.
   std::size_t left = (crossed.size() + 2) * (crossed.size() + 2);
   for (std::size_t stuck = 0; !crossed.empty(); --left) {
     if (left == 0) return {};

@@ -1,4 +1,4 @@
-// Flat flips change how a face of the surface is divided, not the surface.
+// Flat flips change the subdivision of a face of the surface, not the surface.
 #pragma once
 
 #include <array>
@@ -12,53 +12,53 @@
 
 namespace talweg {
 
-/// Where a vertex lies in a face of the surface, as barycentrics.
+/// The barycentrics of a vertex in a face of the surface that contains the vertex.
 std::array<double, 3> weights_in(const SignpostTriangulation& triangulation, VertexId v,
                                  FaceId face);
 
-/// Twice the signed area of a triangle, in units of the face (barycentrics are affine).
+/// The signed area of a triangle relative to the area of the face; corners are barycentrics.
 inline double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
                      const std::array<double, 3>& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Flips of edges inside faces of the surface, while points are inserted. There the pieces lie in
-/// one plane, so an edge can be turned with its exact new length. It stays turned until
+/// Flips of edges inside faces of the surface, during the insertion of points. The pieces of a face
+/// lie in one plane, so the new length of a flipped edge is exact. Flipped edges stay until
 /// SignpostTriangulation::remove_inserted().
 ///
-/// Points that are inserted one by one leave fans of needles, and a segment across k of their edges
-/// would need k vertices more. With Delaunay pieces, whose edges make way for a segment, n points
-/// need about n of each.
+/// Points that are inserted one by one leave fans of needles, and a segment across k edges of
+/// needles would need k more vertices. With Delaunay pieces, whose edges are flipped out of a
+/// segment's way, n points need O(n) vertices and pieces.
 class FlatFlips {
  public:
-  static constexpr double kOnSide = 1e-10;  ///< points that near to a line are on it, of the extent
+  static constexpr double kOnSide = 1e-10;  ///< nearer points lie on a line; relative to a piece
 
-  /// `before` is called with a halfedge that is going to turn.
+  /// `before` is called with a halfedge before each flip of its edge.
   FlatFlips(SignpostTriangulation& triangulation, std::function<void(HalfedgeId)> before)
       : triangulation_(&triangulation), before_(std::move(before)) {}
 
-  /// Edges of segments stay where they are.
+  /// Excludes an edge from flips, because a segment runs along it.
   void fix(EdgeId e) { fixed_.insert(e); }
   [[nodiscard]] bool is_fixed(EdgeId e) const { return fixed_.contains(e); }
-  /// Whether a face of the triangulation lies on each side, both in the same face of the surface.
+  /// Whether the edge was inserted and has pieces of one face of the surface on both sides.
   [[nodiscard]] bool is_inside(HalfedgeId h) const;
 
-  /// Flips edges until these and those beside them are Delaunay, as far as they may. As a rule a
-  /// few flips for an edge.
+  /// Flips edges until `edges` and the edges around them are Delaunay, except for fixed edges. A
+  /// few flips per edge as a rule.
   void improve(std::vector<HalfedgeId> edges);
 
-  /// The edges that the straight way to a vertex crosses.
+  /// The edges that the straight segment to a vertex crosses.
   struct Way {
     std::vector<HalfedgeId> crossed;  ///< from right to left
-    VertexId end;                     ///< the first vertex on it, if it comes to one
-    HalfedgeId stop;                  ///< or the fixed edge before it
-    double part = 0;                  ///< where it crosses that, of its length
+    VertexId end;                     ///< the first vertex on the segment, if any
+    HalfedgeId stop;                  ///< else the fixed edge where the segment stops
+    double part = 0;                  ///< the crossing on `stop`, a fraction of its length
   };
-  /// The way from the tail of h, which begins in the face of h.
+  /// The segment from the tail of h to `to`, which starts in the face of h.
   [[nodiscard]] Way way(HalfedgeId h, VertexId to, FaceId face) const;
-  /// Flips the crossed edges out of the way and improves them. Returns the edge that joins the two
-  /// vertices then; invalid if rounding hinders it. O(crossed) flips as a rule, at most the square
-  /// (Sloan 1993).
+  /// Flips the crossed edges out of the segment's way, then improves them. Returns the edge between
+  /// the two vertices; invalid if rounding prevents it. O(crossed) flips as a rule, at most the
+  /// square (Sloan 1993).
   HalfedgeId clear(const Way& way, VertexId from, VertexId to, FaceId face);
 
  private:
@@ -69,7 +69,7 @@ class FlatFlips {
 
   SignpostTriangulation* triangulation_;
   std::function<void(HalfedgeId)> before_;
-  std::unordered_set<EdgeId> fixed_;  // only looked up
+  std::unordered_set<EdgeId> fixed_;  // never iterated
 };
 
 }  // namespace talweg

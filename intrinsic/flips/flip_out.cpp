@@ -11,9 +11,9 @@
 namespace talweg {
 namespace {
 
-/// Rounds an angle so that wedges that differ only by rounding count as equally narrow. On regular
-/// grids there are many; the one that comes first on its path is then cleared first, independent of
-/// the numbers of the vertices.
+/// Rounds an angle so that wedges that differ only by rounding count as equally narrow. Regular
+/// grids have many such wedges; the wedge that comes first on its path is then cleared first,
+/// independent of the numbers of the vertices.
 double without_rounding(double angle) {
   constexpr double kPerRadian = 1e9;
   return std::round(angle * kPerRadian) / kPerRadian;
@@ -63,7 +63,8 @@ void FlipOut::push(SegmentId before, Side side) {
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>{});
 }
 
-/// Queues the blocked joints around this vertex again, because something has moved away from it.
+/// Queues the blocked joints at the tail of `around` again, because a path has moved away from this
+/// vertex.
 void FlipOut::push_around(HalfedgeId around) {
   if (network_.blocked_count() == 0) return;
   std::vector<SegmentId> again;
@@ -84,12 +85,13 @@ bool FlipOut::valid(const Candidate& candidate) const {
          terminations_[before.path] == Termination::kConverged;
 }
 
-/// Flips every edge strictly inside the wedge whose outer end is a corner of less than pi.
+/// Flips every edge strictly inside the wedge that ends at a corner of less than pi on the outer
+/// boundary.
 void FlipOut::flip_inside(HalfedgeId out, HalfedgeId back) {
   SignpostTriangulation& t = *triangulation_;
   std::size_t degree = 0;
   for (HalfedgeId h = out; h != back; h = t.turn_ccw(h)) ++degree;
-  // In a disc each flip lowers the degree, but not necessarily where the fan meets itself.
+  // Each flip lowers the degree if the fan is a disc; the limit is for fans that meet themselves.
   std::size_t flips_left = 4 * degree;
   HalfedgeId h = t.turn_ccw(out);
   while (h != back) {
@@ -113,7 +115,7 @@ void FlipOut::accept(const Wedge& wedge, std::span<const HalfedgeId> arc) {
   network_.replace(wedge, arc, fresh_);
   const bool prev_remains = prev != PathNetwork::kNone && prev != last_of_path &&
                             prev != wedge.before && network_.segment(prev).alive;
-  if (prev_remains) {  // the joint at its end has changed
+  if (prev_remains) {  // the joint at the end of `prev` has changed
     network_.set_blocked(prev, false);
     push(prev);
   }
@@ -148,7 +150,7 @@ bool FlipOut::clear_wedge(const Wedge& wedge) {
   return true;
 }
 
-/// True if the loop would become an edge out and back. Then it is contractible, and its present
+/// True if the loop would become an edge out and back. Such a loop is contractible, and its current
 /// state is the last proper loop.
 bool FlipOut::only_a_spike_remains(const Wedge& wedge) const {
   const SegmentId rest = network_.segment(wedge.after).next;
@@ -175,7 +177,7 @@ bool FlipOut::remove_spike(const Wedge& wedge) {
 /// At a loop of one edge the wedge has the same face at both ends. The loop is replaced by the
 /// face's other two sides, and then wedges are cleared until the loop is shorter than before. By
 /// Gauss-Bonnet this succeeds if the wedges on the inner side of the flat annulus in between are
-/// cleared. If rounding prevents it, all steps are undone.
+/// cleared. If rounding prevents success, all steps are undone.
 bool FlipOut::open_single_edge_loop(const Wedge& wedge) {
   SignpostTriangulation& t = *triangulation_;
   const std::size_t path = network_.segment(wedge.before).path;

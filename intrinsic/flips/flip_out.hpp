@@ -27,7 +27,7 @@ struct FlipOutOptions {
   double min_relative_length = 0;
   /// A closed path shorter than this counts as collapsed. Units of length, >= 0.
   double length_floor = 0;
-  /// Vertices that a path must keep passing if it passes them as given. Sorted.
+  /// Vertices at which the paths that pass them are not straightened. Sorted.
   std::vector<VertexId> pinned;
 
   /// Throws Error(kBadUsage) naming the field and its bound.

@@ -160,7 +160,7 @@ void PathNetwork::place_among(SegmentId s) {
   const HalfedgeId h = segments_[s].halfedge;
   SegmentId left_neighbour = kNone;
   for (SegmentId k = first_on(edge_of(h)); k != kNone; k = segments_[k].right) {
-    // Seen along the edge, s is right of k if it is left of k seen the other way.
+    // Left and right are exchanged if h runs against the edge.
     if (runs_left_of(s, k) == along_edge(h)) break;
     left_neighbour = k;
   }
@@ -178,7 +178,7 @@ PathNetwork::Wedge PathNetwork::wedge(SegmentId before, Side side) const {
 
 double PathNetwork::angle(const Wedge& w) const {
   if (w.out != w.back) return triangulation_->angle_ccw(w.out, w.back);
-  // At a spike, nothing is on the inner side and everything is on the other.
+  // The inner side of a spike has the angle 0; the outer side is never cleared.
   const SegmentId out_segment = w.side == Side::kLeft ? w.after : w.before;
   const SegmentId back_segment = w.side == Side::kLeft ? w.before : w.after;
   for (SegmentId k = neighbour(out_segment, w.out, Side::kLeft); k != kNone;
@@ -195,8 +195,7 @@ bool PathNetwork::is_free(const Wedge& w) const {
   if (!outermost(out_segment, w.out, Side::kLeft)) return false;
   if (!outermost(back_segment, w.back, Side::kRight)) return false;
   const SignpostTriangulation& t = *triangulation_;
-  // Lengths that violate the triangle inequality give directions that place `back` before the
-  // boundary's gap.
+  // The sweep may reach the boundary before `back` where lengths violate the triangle inequality.
   for (HalfedgeId h = w.out; t.has_face(h);) {
     h = t.turn_ccw(h);
     if (h == w.back) return true;
@@ -210,7 +209,7 @@ void PathNetwork::replace(const Wedge& w, std::span<const HalfedgeId> arc,
   const std::uint32_t path_id = segments_[w.before].path;
   Path& path = paths_[path_id];
   const SegmentId prev = segments_[w.before].prev, next = segments_[w.after].next;
-  const bool whole = prev == w.after || w.before == w.after;  // nothing of the loop remains
+  const bool whole = prev == w.after || w.before == w.after;  // the wedge is the whole loop
   path.length -= triangulation_->length(segments_[w.before].halfedge);
   path.size -= 1;
   take_off(w.before);

@@ -19,7 +19,8 @@ enum class Side : std::uint8_t { kLeft, kRight };
 /// keeps its segments ordered from left to right (seen along halfedge_of(edge)), so that paths that
 /// share edges keep their sides and never cross.
 ///
-/// One array over the edges is allocated once; everything else costs what the paths touch.
+/// One array over the edges is allocated once; all other costs are proportional to the edges that
+/// the paths touch.
 class PathNetwork {
  public:
   using SegmentId = std::uint32_t;
@@ -45,15 +46,15 @@ class PathNetwork {
   /// A wedge to be cleared: the fan swept counterclockwise from `out` to `back` about their tail.
   struct Wedge {
     SegmentId before = kNone;  // the segment that ends at the joint
-    SegmentId after = kNone;   // the segment that starts there
+    SegmentId after = kNone;   // the segment that starts at the joint
     HalfedgeId out, back;
     Side side = Side::kLeft;
   };
 
   explicit PathNetwork(SignpostTriangulation& triangulation) : triangulation_(&triangulation) {}
 
-  /// Adds a path. Where it shares edges with earlier paths (or with itself), it runs on the side
-  /// from which it comes, so that it crosses them only where this cannot be avoided.
+  /// Adds a path. Where the path shares edges with earlier paths (or with itself), it runs on the
+  /// side from which it comes, so paths cross only where a crossing cannot be avoided.
   void add(const EdgePath& path);
   void clear();
 
@@ -67,7 +68,7 @@ class PathNetwork {
   [[nodiscard]] Wedge wedge(SegmentId before, Side side) const;
   /// The wedge's angle; +infinity if the wedge is not on the surface or is the outside of a spike.
   double angle(const Wedge& wedge) const;
-  /// Whether no other segment runs inside the wedge or between it and its own two segments.
+  /// Whether no other segment runs inside the wedge or between the wedge and its own two segments.
   /// O(degree).
   [[nodiscard]] bool is_free(const Wedge& wedge) const;
   void set_blocked(SegmentId s, bool blocked);
@@ -80,9 +81,8 @@ class PathNetwork {
   /// Replaces the wedge's two segments (or its only one, for a one-edge loop) by a path with the
   /// same ends. The path is given in counterclockwise order from the head of `out` to the head of
   /// `back`, with the wedge on the left of each halfedge. New segments are the nearest ones to the
-  /// wedge's vertex. The wedge's own joint must not be pinned; the joint after it stays pinned if
-  /// it was.
-  /// `ids` receives the new segments in the order of the path.
+  /// wedge's vertex. The wedge's own joint must not be pinned; a pinned joint after the wedge stays
+  /// pinned. `ids` receives the new segments in the order of the path.
   void replace(const Wedge& wedge, std::span<const HalfedgeId> arc, std::vector<SegmentId>& ids);
 
   /// Replaces a closed path by a single edge, outermost on the left of `inward`.

@@ -22,8 +22,8 @@ Weights mix(const Weights& a, const Weights& b, double t) {
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-/// Which part of the way from a to b it is to the foot of a point, in [0, 1]. Weights in a piece
-/// would tell that, too, but not in a sliver.
+/// The parameter in [0, 1] of a point's projection to the segment from a to b. The point's weights
+/// in a piece would give the same, but are inaccurate in a sliver.
 double part_along(const Weights& a, const Weights& b, const Weights& point) {
   double along = 0, whole = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -48,7 +48,8 @@ Weights PointInsertion::barycentric(VertexId v, FaceId face) const {
   return weights_in(*triangulation_, v, face);
 }
 
-/// The point's place in the piece of this side, inside it or not; none in one without area.
+/// The point's weights in the piece of this side, whether the point is inside or not; no place if
+/// the piece has no area.
 PointInsertion::Place PointInsertion::place_in(HalfedgeId side, FaceId face,
                                                const Weights& point) const {
   const Weights a = barycentric(triangulation_->tail(side), face);
@@ -78,8 +79,8 @@ PointInsertion::Place PointInsertion::locate(FaceId face, const Weights& point) 
   return best;
 }
 
-/// From the newest piece, since points come in the order of a drawing. Among Delaunay pieces it
-/// cannot turn in circles, but for rounding.
+/// Walks from the newest piece, because points come in the order of a drawing. A walk over Delaunay
+/// pieces ends in exact arithmetic; the limit guards against rounding.
 PointInsertion::Place PointInsertion::walk(FaceId face, const Weights& point) {
   const SignpostTriangulation& t = *triangulation_;
   HalfedgeId at = pieces(face).back();
@@ -96,7 +97,7 @@ PointInsertion::Place PointInsertion::walk(FaceId face, const Weights& point) {
   return {};
 }
 
-/// Where many points were inserted, what the new vertex has changed becomes Delaunay.
+/// Makes the pieces around the new vertex Delaunay in faces with many inserted points.
 void PointInsertion::improve_around(VertexId v) {
   const SignpostTriangulation& t = *triangulation_;
   std::vector<HalfedgeId> edges;
@@ -119,13 +120,14 @@ void PointInsertion::improve_around(VertexId v) {
   flips_.improve(std::move(edges));
 }
 
-/// Both pieces keep their places in the list, by the edge that is going to turn.
+/// Registers both pieces under the edge that will be flipped, so they keep their slots in the list.
 void PointInsertion::before_turn(HalfedgeId h) {
   const FaceId face = triangulation_->surface_face(h);
   for (const HalfedgeId side : {h, twin(h)}) replace_pieces(face, side, std::span(&side, 1));
 }
 
-/// Used if every piece of the face is a sliver.
+/// The vertex of the face that is nearest to the point, for a face in which every piece is a
+/// sliver.
 VertexId PointInsertion::nearest_vertex(FaceId face, const Weights& point) {
   const SignpostTriangulation& t = *triangulation_;
   VertexId best;
@@ -200,12 +202,12 @@ VertexId PointInsertion::insert_new(const SurfacePoint& point) {
   for (std::size_t k = 0; k < 3; ++k) {
     lengths[k] = distance(triangulation_->tail(side[k]), face, weights);
   }
-  replace_pieces(face, side[0], side);  // each side keeps one of the new faces
+  replace_pieces(face, side[0], side);  // each side bounds one of the new pieces
   return triangulation_->split_face(side[0], lengths, point);
 }
 
-/// Considers only the pieces at the edge. In slivers of its faces a vertex inside one of them may
-/// be as near, but it is not in the other face, where the curve may continue.
+/// Considers only the pieces along the edge. Among slivers, a vertex inside one of the two faces
+/// may be as near, but that vertex is not in the other face, where the curve may continue.
 VertexId PointInsertion::insert_on_edge(const SurfacePoint& point) {
   const OnEdge& at = std::get<OnEdge>(point.where());
   const HalfedgeId whole = halfedge_of(at.edge);
@@ -234,7 +236,7 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
   const Surface& surface = triangulation_->surface();
   const HalfedgeId other = twin(side);
   const FaceId left = triangulation_->surface_face(side);
-  // The point lies exactly on the side, so that both faces of a mesh edge know it.
+  // The location lies exactly on the side, so a point of a mesh edge belongs to both faces.
   const bool inner = triangulation_->has_face(other) && triangulation_->surface_face(other) == left;
   const bool keep = exact != nullptr && (inner || std::holds_alternative<OnEdge>(exact->where()));
   const SurfacePoint location =
@@ -259,7 +261,7 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
     split.to_right = distance(triangulation_->tail(right_prev), right,
                               coordinates_in(surface, location, right).barycentric);
   }
-  // Before the split the old faces can still be found by any of their sides.
+  // The pieces are replaced before the split, while any of their sides still leads to them.
   const std::array<HalfedgeId, 2> fresh_left = {left_prev, left_next};
   replace_pieces(left, side, fresh_left);
   if (right.valid()) {
@@ -273,9 +275,9 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
   return middle;
 }
 
-/// The edge from the tail of h straight to the next vertex on the way to `to`, or to where that
-/// meets another segment. h bounds the piece in which the way begins. Invalid if there is no need
-/// or no way to flip.
+/// The straight edge from the tail of h towards `to`, made by flips: to the next vertex on the
+/// segment, or to its crossing with another segment. The segment starts in the piece of h. Invalid
+/// if the segment crosses no edge or rounding prevents the flips.
 HalfedgeId PointInsertion::flip_way(HalfedgeId h, VertexId to, FaceId face) {
   const VertexId from = triangulation_->tail(h);
   const FlatFlips::Way way = flips_.way(h, to, face);
@@ -343,7 +345,8 @@ void PointInsertion::connect(VertexId from, VertexId to, std::vector<HalfedgeId>
   if (from != to) go_along_edges(from, to, face, path);
 }
 
-/// Always succeeds, because the pieces of a face form a disc.
+/// Appends the shortest path along the edges inside the face. A path always exists, because the
+/// pieces of a face form a disc.
 void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
                                     std::vector<HalfedgeId>& path) {
   const SignpostTriangulation& t = *triangulation_;

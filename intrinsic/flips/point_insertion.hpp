@@ -1,5 +1,5 @@
-// Point insertion makes vertices of points on edges and in faces, and edges of the segments
-// between.
+// Point insertion adds points on edges and in faces as vertices, and the segments between points as
+// edges.
 #pragma once
 
 #include <array>
@@ -27,28 +27,28 @@ class PointInsertion {
   PointInsertion& operator=(const PointInsertion&) = delete;
 
   /// The vertex at the point; inserts one if there is none. The vertex lies in every face that
-  /// contains the point. O(pieces of the face); beyond 64 pieces, which are kept Delaunay then, few
-  /// for a point near the one before.
+  /// contains the point. O(pieces of the face). A face of more than 64 pieces keeps them Delaunay,
+  /// and a point near the previous one then costs only a few pieces.
   VertexId insert(const SurfacePoint& point);
 
   /// Appends to `path` the halfedges of the straight segment between two vertices that lie in a
-  /// common face of the surface; where it crosses an edge inside the face, a vertex is inserted,
-  /// but in a face of more than 64 pieces the edge makes way unless it belongs to another segment.
-  /// If rounding leaves no such way (in slivers among many points), the shortest way along the
-  /// edges inside the face is used. Throws Error(kBadCurve) when the vertices have no face in
-  /// common.
+  /// common face of the surface. A vertex is inserted where the segment crosses an edge inside the
+  /// face. In a face of more than 64 pieces, the crossed edge is flipped instead, unless another
+  /// segment runs along it. If rounding prevents both (in slivers among many points), the path
+  /// follows the shortest way along the edges inside the face. Throws Error(kBadCurve) when the
+  /// vertices have no face in common.
   void connect(VertexId from, VertexId to, std::vector<HalfedgeId>& path);
 
   /// The number of edges split so far.
   [[nodiscard]] std::size_t split_count() const { return split_count_; }
   /// Updates a path that was connected when split_count() was `since`: every edge that was split
-  /// after that is replaced by its two halves.
+  /// later is replaced by its two halves.
   [[nodiscard]] std::vector<HalfedgeId> now(std::span<const HalfedgeId> path,
                                             std::size_t since) const;
 
  private:
-  /// A face with more pieces than this has them Delaunay, since needles cost most where many meet.
-  /// Below, the pieces are what they have always been.
+  /// A face with more pieces keeps them Delaunay, because needles cost most where many meet. In
+  /// faces with fewer pieces no edge is flipped.
   static constexpr std::size_t kCrowd = 64;
 
   struct Place {
@@ -76,7 +76,7 @@ class PointInsertion {
   void append_now(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
 
   SignpostTriangulation* triangulation_;
-  struct Split {  // the edge became these two, in the direction of `first`
+  struct Split {  // the two halves of the edge, in the direction of `first`
     std::size_t number = 0;
     HalfedgeId first, second;
   };

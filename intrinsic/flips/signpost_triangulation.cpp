@@ -229,7 +229,7 @@ HalfedgeId SignpostTriangulation::new_edge(VertexId tail, VertexId head, double 
 
 VertexId SignpostTriangulation::new_vertex(const SurfacePoint& location) {
   assert(log_.empty());
-  forget();  // drops what was laid out around the place
+  forget();  // drops the directions around the new vertex
   vertex_halfedge_.emplace_back();
   vertex_epoch_.push_back(0);
   cone_.push_back(0);

@@ -1,5 +1,5 @@
-// A signpost triangulation can be flipped: it has intrinsic edges with lengths and signposts, and
-// an undo log.
+// A signpost triangulation is an intrinsic triangulation with flips: edges have lengths and
+// signposts, and an undo log keeps the flips.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,13 @@ namespace talweg {
 /// surface's vertices and inserted ones, in which each edge has a length and each halfedge a
 /// direction at its tail.
 ///
-/// Arrays are allocated once, in O(mesh); after that every operation costs only what it touches.
-/// Lengths are taken from the metric, and directions around a vertex are laid out, when first
-/// needed. Before a flip this is done for all four corners of its diamond, so a lazy run and a run
-/// that has prepared everything agree bit for bit. Flips are logged and can be undone.
+/// Arrays are allocated once, in O(mesh); every later operation costs only the elements that it
+/// touches. Lengths are taken from the metric, and directions around a vertex are computed, when
+/// first needed. A flip first computes the directions at all four corners of its diamond, so a lazy
+/// run and a run that has prepared everything agree bit for bit. Flips are logged and can be
+/// undone.
 ///
-/// Not thread safe: one triangulation per thread. The surface must outlive it.
+/// Not thread safe: one triangulation per thread. The surface must outlive the triangulation.
 class SignpostTriangulation {
  public:
   explicit SignpostTriangulation(const Surface& surface);
@@ -32,9 +33,9 @@ class SignpostTriangulation {
   /// The length of an edge between two vertices, from its length on the surface.
   using Metric = std::function<double(VertexId tail, VertexId head, double surface_length)>;
   /// Forgets all lengths and signposts and uses `metric` from now on (the surface's own lengths if
-  /// it is empty). O(1). No flip may be pending.
+  /// `metric` is empty). O(1). No flip may be pending.
   void set_metric(Metric metric);
-  /// Lays out everything now; this does not change results. O(mesh).
+  /// Computes all lengths and directions at once; results stay the same. O(mesh).
   void prepare_all();
 
   [[nodiscard]] const Surface& surface() const { return *surface_; }
@@ -94,7 +95,7 @@ class SignpostTriangulation {
   VertexId split_face(HalfedgeId h, const std::array<double, 3>& lengths,
                       const SurfacePoint& location);
   /// Replaces an edge inside a face of the surface by the other diagonal of its two faces, which
-  /// must be convex, for as long as the inserted vertices stay. It is no flip that is undone or
+  /// must be convex, until remove_inserted(). The change is not logged, so it is neither undone nor
   /// traced.
   void turn_inside(EdgeId e, double length);
   /// Removes every inserted vertex; the metric is then the surface's own again. O(inserted).
@@ -109,7 +110,7 @@ class SignpostTriangulation {
   /// The length of an edge of the triangulation without flips, in the surface's own metric.
   [[nodiscard]] double surface_length(EdgeId e) const { return surface_length_[e.index()]; }
 
-  /// Vertices whose directions have been laid out since set_metric.
+  /// Vertices whose directions have been computed since set_metric().
   [[nodiscard]] std::span<const VertexId> touched() const { return touched_; }
 
  private:
@@ -117,7 +118,7 @@ class SignpostTriangulation {
     EdgeId edge;
     double length = 0;
     double direction[2] = {0, 0};
-    bool represented[2] = {false, false};  // whether it was its tail's (head's) own halfedge
+    bool represented[2] = {false, false};  // whether it was halfedge(v) of its tail, of its head
   };
 
   void forget();
@@ -137,7 +138,7 @@ class SignpostTriangulation {
   std::vector<double> surface_length_;
   Metric metric_;
 
-  std::uint32_t epoch_ = 1;  // an entry is valid if its own epoch equals this one
+  std::uint32_t epoch_ = 1;  // an entry is valid if its epoch equals the current one
   ZeroedVector<std::uint32_t> edge_epoch_;
   ZeroedVector<std::uint32_t> vertex_epoch_;
   ZeroedVector<double> length_;

@@ -13,7 +13,7 @@ namespace talweg {
 // on its left and corner b on its right.
 
 /// Collects the passages that enter the diamond by `side`, and the strands that start in the
-/// diamond and leave by it. `half` is the side's half of the restored diamond, `opposite` the
+/// diamond and leave by `side`. `half` is the side's half of the restored diamond, `opposite` the
 /// corner across its face.
 void Tracer::collect_entering(HalfedgeId side, Place half, Place opposite, HalfedgeId diagonal,
                               std::vector<Visit>& visits) {
@@ -87,8 +87,8 @@ void Tracer::undo_one() {
   const HalfedgeId h = halfedge_of(e);
   collect(e, visits_);
   triangulation_->undo_flip();
-  // Passages that crossed or followed the diagonal are linked anew below; its old crossings are
-  // dropped.
+  // Passages that crossed or followed the diagonal are linked again below; the old crossings of the
+  // diagonal are dropped.
   crossings_on_[e.index()] = kNone;
   strands_on_[e.index()] = kNone;
   for (const Visit& visit : visits_) {

@@ -21,10 +21,10 @@ struct TraceResult {
 
 /// Traces paths by undoing the pending flips, newest first.
 ///
-/// A path starts out running along edges. When the flip of an edge is undone, a passage that ran
-/// along the edge crosses the restored one; for other passages through the diamond the sides by
-/// which they enter and leave tell whether they cross it. So the sequence of edges that each path
-/// crosses is found without arithmetic and cannot be wrong, at little cost, as the flips must be
+/// At first a path runs along edges. When the flip of an edge is undone, a passage that ran along
+/// the edge crosses the restored edge. For other passages through the diamond, the sides of entry
+/// and exit decide whether they cross the restored edge. The sequence of edges that a path crosses
+/// is therefore found without arithmetic and cannot be wrong, at little cost, as the flips must be
 /// undone anyway. Positions are computed by unfolding the crossed triangles into the plane.
 ///
 /// Memory for the edges is allocated once per object; a call costs O(flips + crossings).
@@ -34,15 +34,15 @@ class Tracer {
 
   /// Undoes every pending flip. Each point of a curve and the next lie in one face of the surface;
   /// inserted vertices of a path keep the point they were inserted for. Throws Cancelled when
-  /// `progress` (stage "trace") says so, and anything that the metric throws; flips may then still
-  /// be pending.
+  /// `progress` (stage "trace") returns false, and any exception of the metric; flips may then
+  /// still be pending.
   TraceResult trace_and_undo(std::span<const EdgePath> paths, const Progress& progress = {});
 
  private:
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xFFFFFFFFU;
 
-  struct Crossing {  // it leaves the face of `through` by that halfedge
+  struct Crossing {  // the strand leaves the face of `through` by this halfedge
     HalfedgeId through;
     Index strand = kNone;
     Index prev = kNone, next = kNone;  // along the strand
@@ -50,14 +50,14 @@ class Tracer {
   };
   struct Strand {  // one segment of a path
     VertexId from, to;
-    HalfedgeId along;  // valid while it runs along an edge
+    HalfedgeId along;  // valid while the strand runs along an edge
     Index first = kNone, last = kNone;
     Index next_along = kNone;
   };
   enum class Place : std::uint8_t { kA, kB, kC, kD };  // corner or half of a diamond
   struct Visit {
     Index strand;
-    Index before, after;  // the crossings before and after it; kNone at an end
+    Index before, after;  // the crossings before and after the visit; kNone at an end
     Place from, to;
   };
 

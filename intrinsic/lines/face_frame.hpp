@@ -37,8 +37,8 @@ struct FaceFrame {
   [[nodiscard]] PlanePoint at(const Barycentric& b) const {
     return {b[1] * corners[1].x + b[2] * corners[2].x, b[2] * corners[2].y};
   }
-  /// How the barycentrics change along a direction; their sum is 0. Not finite in a face without
-  /// area.
+  /// The derivatives of the barycentrics along a direction; their sum is 0. Not finite in a face
+  /// without area.
   [[nodiscard]] Barycentric rates(PlanePoint direction) const {
     const double c = direction.y / corners[2].y;
     const double b = (direction.x - c * corners[2].x) / corners[1].x;

@@ -9,7 +9,8 @@ namespace {
 constexpr int kMostFaces = 2000;
 constexpr double kInside = 1e-9;
 
-/// Where a ray leaves its face: by which side, and after which distance.
+/// The side by which a ray leaves its face, 3 for none, and the distance along the ray to that
+/// side.
 struct Exit {
   std::size_t side = 3;
   double distance = HUGE_VAL;

@@ -7,7 +7,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kMostWork = 200'000;  // portals that one join looks at
+constexpr std::size_t kMostWork = 200'000;  // portals that one join may visit
 constexpr double kShorter = 1e-12;          // relative
 
 PlanePoint rotated(PlanePoint by, PlanePoint p) {
@@ -19,7 +19,7 @@ PlanePoint unit(PlanePoint p) {
   return length > 0 ? (1 / length) * p : PlanePoint{1, 0};
 }
 
-/// The same point in the face beyond the side on which it lies.
+/// The coordinates of a point on a side in the face beyond that side.
 FaceCoordinates beyond(const Surface& surface, const FaceCoordinates& at, HalfedgeId side) {
   const FaceFrame frame(surface, at.face);
   const FaceFrame next(surface, surface.face(twin(side)));
@@ -38,10 +38,12 @@ bool lies_on(const Surface& surface, const FaceCoordinates& at, HalfedgeId side)
   return b[(i + 2) % 3] == 0;
 }
 
-// A halfedge with the vertex at its head goes around it counterclockwise (it passes it on its
-// left), one with the vertex at its tail clockwise.
+// A strip that crosses halfedges with a common head turns counterclockwise around that vertex and
+// passes it on the left. A strip that crosses halfedges with a common tail turns clockwise and
+// passes the vertex on the right.
 
-/// The other halfedge of the face that goes around the same vertex, the other way.
+/// The other halfedge of the face at the passed vertex; a crossing of it turns around the vertex in
+/// the other direction.
 HalfedgeId beside(const Surface& surface, HalfedgeId h, bool left) {
   return left ? surface.next(h) : surface.prev(h);
 }
@@ -80,7 +82,7 @@ void StripLines::trim(FaceCoordinates& from, FaceCoordinates& to, FaceStrip& str
   strip.erase(strip.begin(), strip.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-/// Each face is laid out beside the side by which it is entered: its apex is all that is new.
+/// Lays out each face beside its entry side; only the apex is a new point.
 void StripLines::unfold(const FaceCoordinates& from, const FaceCoordinates& to,
                         const FaceStrip& strip) {
   portals_.clear();
@@ -104,7 +106,7 @@ void StripLines::unfold(const FaceCoordinates& from, const FaceCoordinates& to,
     to_ = frame.at(to.barycentric);
     return;
   }
-  // The frame of the last face has its first corner elsewhere.
+  // The corner order of the last face in the layout may differ from the order in its own frame.
   const HalfedgeId first = surface_->halfedge(surface_->face(sides[0]));
   const std::size_t k = first == sides[0] ? 0 : first == sides[1] ? 1 : 2;
   const PlanePoint &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
@@ -118,7 +120,8 @@ bool StripLines::is_straight() const {
   for (const Portal& portal : portals_) {
     const double left = cross(way, portal.left - from_), right = cross(way, portal.right - from_);
     if (!(left > 0 && right < 0)) return false;
-    // Around a vertex by more than half a turn, sides alone do not tell.
+    // The sides alone cannot detect a turn of more than π around a vertex, so the crossings must
+    // also be in order along the line.
     const PlanePoint at = (1 / (left - right)) * (left * portal.right - right * portal.left);
     const double along = dot(way, at - from_);
     if (along < last) return false;
@@ -127,8 +130,8 @@ bool StripLines::is_straight() const {
   return last <= dot(way, way);
 }
 
-/// Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear barriers" (1984), as
-/// the funnel of portals from which the apex sees the way on.
+/// Lee and Preparata, "Euclidean shortest paths in the presence of rectilinear barriers" (1984),
+/// with the funnel as the apex and the two sides of its view through the portals.
 void StripLines::pull_funnel() {
   bends_.clear();
   if (is_straight()) return;
@@ -143,7 +146,7 @@ void StripLines::pull_funnel() {
     bends_.push_back({at, on_left, on_left ? portal.left : portal.right,
                       on_left ? portal.left_vertex : portal.right_vertex});
     apex = bends_.back().at;
-    // Portals that end at the same vertex do not narrow the view from there.
+    // Portals that end at the new apex do not narrow its view.
     i = at + 1;
     const auto ends_here = [&](std::size_t k) {
       return (on_left ? portals_[k].left_vertex : portals_[k].right_vertex) == bends_.back().vertex;
@@ -156,8 +159,8 @@ void StripLines::pull_funnel() {
   i = 1;
   while (i <= n && bends_.size() <= n) {
     const PlanePoint next_left = left_of(i), next_right = right_of(i);
-    if (cross(right_at - apex, next_right - apex) >= 0) {  // not wider on the right
-      if (cross(left_at - apex, next_right - apex) > 0) {  // over the left side
+    if (cross(right_at - apex, next_right - apex) >= 0) {  // the right side does not widen
+      if (cross(left_at - apex, next_right - apex) > 0) {  // the right side crosses the left one
         restart(left, true);
         ++i;
         continue;
@@ -188,7 +191,8 @@ double StripLines::length() const {
   return sum + norm(to_ - last);
 }
 
-/// The strip that passes the vertex of a bend on its other side; false at the boundary.
+/// Sets `other` to the strip that passes the vertex of a bend on the other side; false at the
+/// boundary.
 bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other) const {
   const auto ends_here = [&](std::size_t k) {
     return (bend.left ? portals_[k].left_vertex : portals_[k].right_vertex) == bend.vertex;
@@ -201,7 +205,7 @@ bool StripLines::flip(const FaceStrip& strip, const Bend& bend, FaceStrip& other
   if (degree == 0) return false;
   other.clear();
   for (std::size_t k = 0; k < first; ++k) add_crossing(other, strip[k]);
-  // What goes around by more than a whole turn goes around by a turn less.
+  // The flip of a strip that makes more than a full turn around the vertex removes one full turn.
   for (std::size_t k = degree; k < run; ++k) add_crossing(other, strip[first + k]);
   HalfedgeId h = beside(*surface_, strip[first], bend.left);
   for (std::size_t k = run; k < degree; ++k) {

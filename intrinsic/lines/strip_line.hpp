@@ -1,5 +1,5 @@
-// A line through a strip of faces is the shortest way between two points among those that can be
-// reached without leaving their isotopy class.
+// A line through a strip of faces is the shortest curve between two points in the isotopy class of
+// the strip.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,11 @@
 
 namespace talweg {
 
-/// The halfedges that a curve crosses one after the other, each in the face that is left.
+/// The halfedges that a curve crosses, in order, each from the face that the curve leaves.
 using FaceStrip = std::vector<HalfedgeId>;
 
-/// Appends a crossing; one that goes back over the last crossing takes it away instead.
+/// Appends a crossing. A crossing back over the last halfedge removes that halfedge instead. The
+/// crossings before index `first` stay.
 void add_crossing(FaceStrip& strip, HalfedgeId crossed, std::size_t first = 0);
 
 /// A straight line between two points. It may bend at vertices whose angle on either side is at
@@ -25,24 +26,27 @@ struct StripLine {
   PlanePoint start, end;  ///< unit directions in the frames of the faces of `from` and `to`
   bool found = false;
   std::vector<VertexId> bends;
-  std::vector<double> turns;           ///< at these, in the strip: radians, to the left positive
-  double first_leg = 0, last_leg = 0;  ///< to the first bend, and from the last; else the length
+  std::vector<double> turns;  ///< at the bends, within the strip; radians, positive to the left
+  double first_leg = 0, last_leg = 0;  ///< to the first and from the last bend; else the length
 };
 
-/// Finds the geodesic that is isotopic to the strip between the points with their ends fixed, and
-/// its strip: the line is straightened by a funnel, and the strip is flipped to the other side of
-/// every vertex around which that is shorter. Points on the edges that the strip begins or ends
-/// with pass to the next face, so that `from` and `to` may be other coordinates of the same points.
-/// `found` is false where coordinates are not finite (faces without area) or the strip does not
-/// settle. O(faces of the strip) for each flip of the strip to another side of a vertex.
+/// Finds the geodesic between two points that is isotopic to a strip with fixed ends, and updates
+/// the strip to the faces of the geodesic. A funnel straightens the line, and the strip is flipped
+/// to the other side of a vertex wherever the flip shortens the line. A point on the edge with
+/// which the strip begins or ends passes to the next face, so `from` and `to` of the result may be
+/// other coordinates of the same points. `found` is false where coordinates are not finite (faces
+/// without area) or the strip does not settle. O(faces of the strip) for each flip of the strip to
+/// another side of a vertex.
 class StripLines {
  public:
   explicit StripLines(const Surface& surface) : surface_(&surface) {}
 
   StripLine join(const FaceCoordinates& from, const FaceCoordinates& to, FaceStrip& strip);
-  /// Where the last line crosses the halfedges of its strip: parts in [0, 1] from their tails.
+  /// The crossings of the last traced line with the halfedges of its strip, as fractions in [0, 1]
+  /// from their tails.
   [[nodiscard]] const std::vector<double>& parts() const { return parts_; }
-  /// As join() for a strip that is that of a line already; finds parts() again.
+  /// Like join(), for a strip that join() has returned: the strip stays as it is, and parts() are
+  /// computed.
   StripLine trace(const FaceCoordinates& from, const FaceCoordinates& to, const FaceStrip& strip);
 
  private:
@@ -66,7 +70,7 @@ class StripLines {
   void find_parts();
 
   const Surface* surface_;
-  // Of the strip that was unfolded last, in the frame of its first face.
+  // The layout of the last unfolded strip, in the frame of its first face.
   std::vector<Portal> portals_;
   std::vector<Bend> bends_;
   PlanePoint from_, to_;

@@ -17,7 +17,7 @@ inline double dot(PlanePoint a, PlanePoint b) { return a.x * b.x + a.y * b.y; }
 /// Positive where b points to the left of a.
 inline double cross(PlanePoint a, PlanePoint b) { return a.x * b.y - a.y * b.x; }
 inline double norm(PlanePoint a) { return std::sqrt(dot(a, a)); }
-/// By a right angle to the left.
+/// The direction turned by a right angle to the left.
 inline PlanePoint turned_left(PlanePoint a) { return {-a.y, a.x}; }
 
 }  // namespace talweg

@@ -13,13 +13,13 @@
 
 namespace talweg {
 
-/// Tells whether points are among others, to the bit. Looking through the list would take n² for n
-/// way-points of one drawing. O(1) for a point, O(n) to make.
+/// An index of points with exact comparison of coordinates. O(1) per lookup and O(n) to construct;
+/// a search through the list would cost n² for n way-points of one drawing.
 class PointLookup {
  public:
   PointLookup() = default;
   explicit PointLookup(std::span<const SurfacePoint> points) { add_all(points); }
-  /// Points are numbered as they are added.
+  /// Points are numbered from 0 in the order of addition; repeated points count, too.
   void add(const SurfacePoint& point) { first_.try_emplace(point, count_++); }
   void add_all(std::span<const SurfacePoint> points) {
     for (const SurfacePoint& point : points) add(point);
@@ -36,7 +36,8 @@ class PointLookup {
   struct Hash {
     std::size_t operator()(const SurfacePoint& point) const {
       if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex.index();
-      // Multiplied by odd numbers (of the golden ratio, and of xxHash), as points may line up.
+      // The odd factors (from the golden ratio and xxHash) spread consecutive indices and evenly
+      // spaced coordinates.
       if (const auto* e = std::get_if<OnEdge>(&point.where())) {
         return e->edge.index() * 0x9E3779B1U ^ std::hash<double>{}(e->t);
       }
@@ -45,7 +46,7 @@ class PointLookup {
              std::hash<double>{}(in.barycentric[1]) * 0xC2B2AE3DU;
     }
   };
-  std::unordered_map<SurfacePoint, std::size_t, Hash> first_;  // only looked up
+  std::unordered_map<SurfacePoint, std::size_t, Hash> first_;  // never iterated
   std::size_t count_ = 0;
 };
 

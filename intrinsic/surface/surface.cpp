@@ -58,7 +58,8 @@ std::string edge_text(std::span<const Triangle> triangles, std::size_t side) {
          text(corner(triangles, side, 1).index());
 }
 
-/// The side that runs the other way, or kNoSide. Throws if the edge is not manifold.
+/// The side of the neighbouring face along the same edge, or kNoSide at the boundary. Throws if the
+/// edge is not manifold.
 std::uint32_t opposite(std::span<const Triangle> triangles, const SidesByTail& sorted,
                        std::size_t side) {
   const VertexId a = corner(triangles, side, 0);
@@ -72,8 +73,8 @@ std::uint32_t opposite(std::span<const Triangle> triangles, const SidesByTail& s
     }
     found = candidate;
   };
-  // Searches the sides that start at b or those that end at a, whichever are fewer: the hub of a
-  // fan has many.
+  // Searches the sides that start at b or the sides that end at a, whichever are fewer: many sides
+  // meet at the hub of a fan.
   const auto degree = [&](VertexId v) {
     return sorted.first[v.index() + 1] - sorted.first[v.index()];
   };
@@ -137,7 +138,7 @@ Surface Surface::from_gluing(std::size_t vertex_count, std::span<const Triangle>
 
 void Surface::glue(std::size_t vertex_count, std::span<const Triangle> triangles,
                    std::span<const std::uint32_t> gluing) {
-  // Edges are numbered in the order in which the sides meet them.
+  // Edges are numbered in the order of their first sides.
   std::vector<HalfedgeId> of_side(gluing.size());
   std::size_t edges = 0;
   for (std::size_t s = 0; s < gluing.size(); ++s) {

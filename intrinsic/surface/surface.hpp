@@ -1,4 +1,4 @@
-// A surface is seen from inside: it has triangle connectivity and one length per edge.
+// A surface is intrinsic: it has triangle connectivity and one length per edge, but no positions.
 #pragma once
 
 #include <array>
@@ -38,8 +38,8 @@ class Surface {
   static Surface from_gluing(std::size_t vertex_count, std::span<const Triangle> triangles,
                              std::span<const std::uint32_t> gluing);
 
-  /// Sets one length per edge, finite and >= 0. Throws Error(kBadMesh) naming the first edge whose
-  /// length is not.
+  /// Sets one length per edge, finite and >= 0. Throws Error(kBadMesh) when the number of lengths
+  /// is not edge_count(), or naming the first edge whose length is negative or not finite.
   void set_lengths(std::vector<double> lengths);
 
   [[nodiscard]] std::size_t vertex_count() const { return vertex_halfedge_.size(); }
@@ -65,8 +65,8 @@ class Surface {
   /// turning counterclockwise from it meets every face. Invalid at an isolated vertex.
   [[nodiscard]] HalfedgeId halfedge(VertexId v) const { return vertex_halfedge_[v.index()]; }
 
-  /// The next outgoing halfedge counterclockwise about the tail of h (h must have a face). It has
-  /// no face if the boundary is reached.
+  /// The next outgoing halfedge counterclockwise about the tail of h (h must have a face). The
+  /// result has no face where the boundary is reached.
   [[nodiscard]] HalfedgeId turn_ccw(HalfedgeId h) const { return twin(prev(h)); }
   /// The next outgoing halfedge clockwise about the tail of h; invalid at the boundary.
   [[nodiscard]] HalfedgeId turn_cw(HalfedgeId h) const { return next(twin(h)); }

@@ -1,4 +1,4 @@
-// A surface point lies at a vertex, on an edge or in a face, and needs no position.
+// A surface point lies at a vertex, on an edge or in a face; its coordinates are intrinsic.
 #pragma once
 
 #include <array>
@@ -58,8 +58,8 @@ class SurfacePoint {
   std::variant<AtVertex, OnEdge, InFace> where_;
 };
 
-/// The vertex, edge or face that a point lies at or in. They have an order, so that points can be
-/// sorted by what they lie in and looked up there.
+/// The vertex, edge or face that contains a point. Elements are ordered, so points can be sorted
+/// and looked up by element.
 struct SurfaceElement {
   enum class Kind { kVertex, kEdge, kFace };
   Kind kind = Kind::kVertex;
@@ -74,7 +74,7 @@ struct FaceCoordinates {
   std::array<double, 3> barycentric{};  ///< in the order of Surface::corners(face)
 };
 
-/// All faces that contain the point: those around a vertex, one or two at an edge, one inside a
+/// All faces that contain the point: the faces around a vertex, one or two at an edge, one inside a
 /// face.
 std::vector<FaceId> faces_at(const Surface& surface, const SurfacePoint& point);
 /// The point's coordinates in `face`. Throws Error(kBadCurve) if the face does not contain the

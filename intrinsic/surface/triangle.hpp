@@ -1,5 +1,5 @@
-// A triangle is known by its side lengths: angles, area, layout. Formulas are clamped, so that
-// lengths that miss the triangle inequality by rounding give flat triangles and never NaN.
+// Angles, area and layout of a triangle follow from its side lengths. Formulas are clamped, so
+// lengths that violate the triangle inequality by rounding give flat triangles and never NaN.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Zeroed memory is a large array that begins as zeros and is rarely touched.
+// Zeroed memory serves large arrays that begin as zeros and are mostly never written.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace talweg {
 
-/// Takes zeroed memory from the system, which provides pages only when they are written: an array
-/// over a mesh of which a run touches a thousandth costs only that much. Elements that a vector
-/// creates without a value are not written, so they are zero only in fresh memory; elements that
-/// are appended after others were removed must be given a value.
+/// An allocator of zeroed memory. The system provides pages only when they are written, so an array
+/// over a mesh costs only the pages that a run writes. Elements that a vector creates without a
+/// value are not written, so they are zero only in fresh memory; elements that are appended after
+/// others were removed must be given a value.
 template <class T>
 class ZeroedMemory {
  public:
