@@ -1,6 +1,6 @@
-// The front door is what programs include that use the library. The names behind each header are
-// what users call; docs/api.md says what for. What else the headers have is there to make these
-// work.
+// The front door is the header that programs include to use the library. The comment behind each
+// header lists the names that users call; docs/api.md describes them. The other names in the
+// headers are internal.
 #pragma once
 
 // A mesh, opened once.
