@@ -24,10 +24,11 @@ double fill_of(const AttributeColumn& column);
 /// - real numbers, and whole numbers that are colours (rounded), are interpolated linearly;
 /// - normals (nx, ny, nz) are interpolated and normalised;
 /// - other whole numbers, and columns with "label" in their name, are taken from the nearest
-///   corner (the largest barycentric coordinate; the first of equal ones). Values at corners are
-///   interpolated, and normals at corners also normalised. Throws Error(kBadUsage) if the
-///   attributes do not have as many vertices and faces as the old mesh. O(values of the cut mesh ·
-///   log).
+///   corner (the largest barycentric coordinate; the first of equal ones).
+///
+/// Values at corners are interpolated, and normals at corners also normalised. Throws
+/// Error(kBadUsage) if the attributes do not have as many vertices and faces as the old mesh.
+/// O(values of the cut mesh · log).
 MeshAttributes carried_to(const CutMesh& cut, const Surface& old, const MeshAttributes& attributes);
 
 /// Converts one value per vertex of the old mesh to one per vertex of the cut mesh, by linear

@@ -114,8 +114,7 @@ class Measurement {
            2;
   }
 
-  /// Larger distances are searched for; smaller ones exceed the largest sample by the tolerance at
-  /// most.
+  /// The largest sample plus the tolerance: the search looks for larger distances only.
   [[nodiscard]] double enough_by_now() const {
     return max_ + std::max(tolerance_, kTolerance * max_);
   }

@@ -103,9 +103,10 @@ inline AppliedPlan applied(const Relinking& changes) {
 /// - a halfedge inside a face gets the properties of the old face's halfedge that points to the
 ///   nearest corner (except properties named "h:..."), without status. Normals, colours and texture
 ///   coordinates of halfedges belong to the corner at the head, and are interpolated between the
-///   corners of the old face. O(divided elements), and O(mesh) when the mesh's arrays must grow.
-///   Throws PlanError, std::bad_alloc, or an exception from copying a property; the mesh is then
-///   unchanged.
+///   corners of the old face.
+///
+/// O(divided elements), and O(mesh) when the mesh's arrays must grow. Throws PlanError,
+/// std::bad_alloc, or an exception from copying a property; the mesh is then unchanged.
 template <class Traits, class Numbers = SameNumbers>
 AppliedPlan apply_plan(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const DivisionPlan& plan,
                        const Numbers& numbers = {}, const ChainMarks& marks = {}) {
