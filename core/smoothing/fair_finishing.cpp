@@ -22,7 +22,7 @@ constexpr std::size_t kFromTaut = 1;           // the try that starts from the t
 constexpr std::size_t kTries = std::size(kBands), kBent = kTries + 1, kGivenUp = kTries + 2;
 constexpr double kNoBending = 1e-4;
 
-/// LegTension::relative of a spline's legs. With a smaller value than 1, the spline would swing out
+/// The exponent c of LegTension for the legs of a spline. With c < 1, the spline would swing out
 /// widely at sharp turns between its legs.
 double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // factor in a spline's tension per try
