@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::uint32_t kNoValue = CornerAttribute::kNone;
 
-/// "red", and "diffuse_red".
+/// Whether a column's name is that of a colour component: "red", "r" or "diffuse_red".
 bool is_colour(std::string_view name) {
   if (name == "r" || name == "g" || name == "b" || name == "a") return true;
-  name.remove_prefix(name.rfind('_') + 1);  // keeps all if there is no '_'
+  name.remove_prefix(name.rfind('_') + 1);  // removes nothing if there is no '_'
   return std::find(kColours.begin(), kColours.end(), name) != kColours.end();
 }
 
@@ -27,7 +27,7 @@ bool is_real(NumberType type) {
   return type == NumberType::kFloat32 || type == NumberType::kFloat64;
 }
 
-/// The full value of a colour's component, as white has it.
+/// The value of a colour component in white.
 double white(NumberType type) {
   switch (type) {
     case NumberType::kInt8:
@@ -57,12 +57,12 @@ template <class Value>
 double interpolated(const Parts& parts, Value value_of_corner) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (parts[k] > 0) sum += parts[k] * value_of_corner(k);  // other values may be NaN
+    if (parts[k] > 0) sum += parts[k] * value_of_corner(k);  // values of weight 0 may be NaN
   }
   return sum;
 }
 
-/// The value between three corners, without making directions as long as one.
+/// The value between three corners; directions are not normalised.
 template <class Value>
 double between(Carry rule, const Parts& parts, Value value_of_corner) {
   if (rule == Carry::kNearest) return value_of_corner(nearest(parts));
@@ -72,7 +72,7 @@ double between(Carry rule, const Parts& parts, Value value_of_corner) {
 
 using Direction = std::array<AttributeColumn*, 3>;
 
-/// The columns of normals by their names, and those that follow each other as directions.
+/// The triples of columns that are directions: by their `carry`, and normals by their names.
 std::vector<Direction> directions_among(std::vector<AttributeColumn>& columns) {
   std::vector<Direction> directions;
   Direction normal{};
@@ -93,7 +93,7 @@ std::vector<Direction> directions_among(std::vector<AttributeColumn>& columns) {
   return directions;
 }
 
-/// Makes three numbers a unit vector unless they are zero.
+/// Normalises a vector unless it is zero.
 void normalize(std::array<double*, 3> normal) {
   const double length = std::hypot(*normal[0], *normal[1], *normal[2]);
   if (!(length > 0) || !std::isfinite(length)) return;
@@ -135,10 +135,11 @@ void extend_vertices(const CutMesh& cut, const Surface& old,
   }
 }
 
-/// Creates the values at corners of new faces; two faces share a value where the old ones do.
+/// Creates the values at corners of the cut mesh's faces. Two faces share a value if their old
+/// faces share the values that it is mixed from.
 class CornerCarrier {
  public:
-  /// `by_name`: the rule where the attribute has none of its own.
+  /// `by_name`: the rule for an attribute with Carry::kByName.
   CornerCarrier(const CutMesh& cut, const Surface& old, const CornerAttribute& from, Carry by_name)
       : cut_(cut),
         old_(old),
@@ -157,7 +158,7 @@ class CornerCarrier {
   }
 
  private:
-  using Key = std::pair<std::uint32_t, Corners>;  // a vertex, and the values mixed there
+  using Key = std::pair<std::uint32_t, Corners>;  // a vertex, and the entries mixed there
 
   std::uint32_t at(FaceId face, std::uint32_t vertex) {
     const Corners& own = from_.corners[face.index()];
@@ -173,7 +174,8 @@ class CornerCarrier {
       if (parts[k] == 0) key.second[k] = kNoValue;
       if (parts[k] > 0 && own[k] == kNoValue) return kNoValue;
     }
-    std::sort(key.second.begin(), key.second.end());  // neighbours have them in another order
+    std::sort(key.second.begin(),
+              key.second.end());  // neighbouring faces list the entries in another order
     const auto [place, is_new] = known_.try_emplace(key, 0);
     if (is_new) place->second = mix(own, parts);
     return place->second;
@@ -209,7 +211,7 @@ std::vector<Value> of_faces(const std::vector<Value>& values, std::span<const st
   return result;
 }
 
-/// Keeps only the values that these faces use, in the order of their first use.
+/// The attribute of the given faces, with the values that they use, in the order of first use.
 CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint32_t> faces) {
   CornerAttribute to{from.dimension, {}, {}, from.carry};
   if (from.dimension == 0) return to;
@@ -229,7 +231,7 @@ CornerAttribute of_faces(const CornerAttribute& from, std::span<const std::uint3
   return to;
 }
 
-/// All attributes of faces, taken from other faces.
+/// The attributes of faces that are copies of the given old faces.
 MeshAttributes with_faces(const MeshAttributes& attributes, std::span<const std::uint32_t> faces) {
   MeshAttributes result;
   result.references = attributes.references;

@@ -23,18 +23,18 @@ std::vector<std::uint32_t> on_both_sides(const OpenedSeams& seams, std::size_t c
   return both;
 }
 
-/// A vertex of the border on which a point lies.
+/// A boundary vertex at a point of the boundary, or at an end of the point's boundary edge.
 VertexId border_vertex(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
   return surface.tail(halfedge_of(std::get<OnEdge>(point.where()).edge));
 }
 
-/// Whether one border leads through both vertices.
+/// Whether two boundary vertices are on the same boundary loop.
 bool on_same_border(const Surface& surface, VertexId a, VertexId b) {
   VertexId v = a;
   do {
     if (v == b) return true;
-    v = surface.head(surface.halfedge(v));  // the most clockwise one runs along the border
+    v = surface.head(surface.halfedge(v));  // the vertex's halfedge runs along the boundary
   } while (v != a);
   return false;
 }
@@ -51,7 +51,7 @@ double distance_to_border(const SurfaceMesh& mesh, const Point& position) {
   return least;
 }
 
-/// Finds out why a curve does not separate the mesh.
+/// Finds the reason why a curve does not separate the mesh, in words.
 class Reason {
  public:
   Reason(const SurfaceMesh& mesh, const CutMesh& cut, std::size_t curve)
@@ -76,7 +76,8 @@ class Reason {
         kind);
   }
 
-  /// Ends on the border and on curves cut nothing short.
+  /// Whether an end of the curve lies inside the mesh, neither on the boundary nor on another
+  /// passage of a curve.
   [[nodiscard]] bool is_inside(std::uint32_t vertex) const {
     if (is_on_boundary(mesh_->surface(), cut_->vertex_from[vertex])) return false;
     std::ptrdiff_t passes = 0;
@@ -136,7 +137,7 @@ std::string why_not_separated(const SurfaceMesh& mesh, const CutMesh& cut, const
                               std::size_t curve) {
   const auto &left = seams.left[curve], &right = seams.right[curve];
   const bool at_border = left.empty() != right.empty();
-  // Where it crosses itself or others, it may cut something out.
+  // A curve that crosses itself or others may still separate some pieces.
   const bool in_part = !at_border && (left.size() > 1 || right.size() > 1);
   return fmt::format(
       "Curve {} does not separate the mesh{}: {}.", curve, in_part ? " along all of it" : "",

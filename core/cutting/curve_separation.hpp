@@ -1,4 +1,4 @@
-// Curve separation tells whether the curves of a cut part the mesh, and why one does not.
+// Curve separation tells whether a curve of a cut separates the mesh, and why not.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,17 @@
 
 namespace talweg {
 
-/// Whether no piece lies on both sides of a curve, and one on either.
+/// Whether a curve has pieces on both sides, and no piece lies on both sides.
 bool separates(const OpenedSeams& seams, std::size_t curve);
 
-/// A sentence on a curve that does not separate the mesh, which names it by its number, says why
-/// and what would. `cut` may be without its lists. O(points of all curves + edges of the mesh).
+/// A sentence about a curve that does not separate the mesh: its number, the reason, and the curve
+/// that would separate. `cut` may be without its lists. O(points of all curves + edges of the
+/// mesh).
 std::string why_not_separated(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams& seams,
                               std::size_t curve);
 
-/// These sentences on the first curves that do not, and how many more there are.
+/// Sentences of why_not_separated() for the first eight curves that do not separate, and the number
+/// of further ones.
 std::vector<std::string> separation_notes(const SurfaceMesh& mesh, const CutMesh& cut,
                                           const OpenedSeams& seams);
 

@@ -19,15 +19,16 @@
 namespace talweg {
 namespace {
 
-/// A point of a curve, with the number of the vertex that it becomes.
+/// A point of a curve, and the vertex that it becomes.
 struct Placed {
   SurfacePoint point;
   std::uint32_t vertex = 0;
 };
-/// The numbers of a curve and of a point or segment of it.
+/// The number of a curve, and the number of a point or segment of this curve.
 using Where = std::pair<std::size_t, std::size_t>;
 
-/// Whether the element that a point lies on is there. Curves of other meshes have others.
+/// Whether the surface has the element of a point. A curve of another mesh may have elements
+/// beyond.
 bool is_on(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) {
     return v->vertex.index() < surface.vertex_count();
@@ -61,7 +62,7 @@ class Planner {
     std::uint32_t from = 0, to = 0;
     Where where;
   };
-  using Chains = std::map<Where, std::vector<std::uint32_t>>;  // inner vertices of segments
+  using Chains = std::map<Where, std::vector<std::uint32_t>>;  // inner vertices, per segment
 
   void settle();
   std::uint32_t add(const SurfacePoint& point);
@@ -77,7 +78,7 @@ class Planner {
   void cut_up_touched();
   void collect_chains();
   void collect_faces();
-  /// Where a new vertex lies.
+  /// The place of a new vertex inside a face.
   [[nodiscard]] const InFace& face_point(std::uint32_t v) const {
     return std::get<InFace>(plan_.vertex_from[v - plan_.old_vertices].where());
   }
@@ -89,10 +90,10 @@ class Planner {
   Asker asker_;
   CutPlan plan_;
   std::vector<std::vector<Placed>> placed_;                // per curve
-  std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // by t
-  std::map<FaceId, std::vector<std::uint32_t>> in_faces_;  // vertices
-  std::map<FaceId, std::vector<Segment>> segments_;        // by face
-  std::map<std::uint32_t, std::vector<Triangle>> parts_;   // of old faces, by their number
+  std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // per edge, by t
+  std::map<FaceId, std::vector<std::uint32_t>> in_faces_;  // new vertices, per face
+  std::map<FaceId, std::vector<Segment>> segments_;        // per face
+  std::map<std::uint32_t, std::vector<Triangle>> parts_;   // per old face, its triangles
   Chains between_;
 };
 
@@ -102,7 +103,7 @@ std::uint32_t Planner::add(const SurfacePoint& point) {
   return static_cast<std::uint32_t>(plan_.old_vertices + plan_.points.size() - 1);
 }
 
-/// Merges points that lie together into one vertex.
+/// Merges points that lie together, and gives every point a vertex.
 void Planner::settle() {
   std::vector<std::pair<OnEdge, Where>> on_edges;
   std::vector<std::pair<InFace, Where>> in_faces;
@@ -144,19 +145,19 @@ void Planner::place_on_edges(std::vector<std::pair<OnEdge, Where>>& points) {
   }
 }
 
-/// Points that are one lie in the same or neighbouring cells of a grid over their face.
+/// Points that are merged lie in the same or in neighbouring cells of a grid over their face.
 void Planner::place_in_faces(std::vector<std::pair<InFace, Where>>& points) {
   using Cell = std::tuple<FaceId, std::int64_t, std::int64_t>;
   std::map<Cell, std::vector<std::uint32_t>> cells;
   for (const auto& [at, where] : points) {
     const std::array<double, 3> reach = merging_.in(at.face);
     const auto cell = [&, in = &at](std::size_t k) {
-      constexpr double kWider = 1.001;  // so that rounding puts nothing two cells away
+      constexpr double kWider = 1.001;  // rounding then puts no merged point two cells away
       return static_cast<std::int64_t>(std::floor(in->barycentric[k] / (kWider * reach[k])));
     };
     const std::int64_t x = cell(1), y = cell(2);
     std::uint32_t& vertex = placed_[where.first][where.second].vertex;
-    std::uint32_t same = kNoVertex;  // the first of several
+    std::uint32_t same = kNoVertex;  // the smallest vertex within reach
     for (std::int64_t i = x - 1; i <= x + 1; ++i) {
       for (std::int64_t k = y - 1; k <= y + 1; ++k) {
         const auto there = cells.find({at.face, i, k});
@@ -175,7 +176,7 @@ void Planner::place_in_faces(std::vector<std::pair<InFace, Where>>& points) {
   }
 }
 
-/// The edge that both points lie on, ends included.
+/// The edge with both points, its ends included; invalid if there is none.
 EdgeId Planner::edge_of_both(const SurfacePoint& p, const SurfacePoint& q) const {
   const auto *v = std::get_if<AtVertex>(&p.where()), *w = std::get_if<AtVertex>(&q.where());
   if (v != nullptr && w != nullptr) {
@@ -253,7 +254,7 @@ std::int64_t on_lattice(double part) {
                                   1, FaceTriangulation::kOne - 1);
 }
 
-/// The new vertices on the sides of a face and in it, in the order in which they were found.
+/// The new vertices on the sides of a face and inside it, with their places.
 std::vector<std::pair<FaceTriangulation::Place, std::uint32_t>> Planner::places_in(
     FaceId face) const {
   constexpr std::int64_t kOne = FaceTriangulation::kOne;
@@ -298,10 +299,10 @@ void Planner::cut_up(FaceId face) {
     triangulation.insert(place);
     global.push_back(vertex);
   }
-  std::unordered_map<std::uint32_t, std::uint32_t> number;  // in the face, if there are many points
+  std::unordered_map<std::uint32_t, std::uint32_t> number;  // in the triangulation; for many points
   if (many) {
     for (std::uint32_t i = 0; i < global.size(); ++i) number.emplace(global[i], i);
-    triangulation.improve();  // segments cross fewer edges then
+    triangulation.improve();  // segments then cross fewer edges
   }
   const auto local = [&](std::uint32_t v) {
     if (!number.empty()) return number.at(v);
@@ -367,7 +368,7 @@ void Planner::collect_chains() {
 
 void Planner::collect_faces() {
   for (const auto& [face, parts] : parts_) {
-    if (parts.size() == 1) continue;  // the curves only touch it
+    if (parts.size() == 1) continue;  // curves only touch the face
     plan_.faces.push_back(face);
     plan_.first.push_back(plan_.triangles.size());
     plan_.triangles.insert(plan_.triangles.end(), parts.begin(), parts.end());

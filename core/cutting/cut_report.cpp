@@ -28,7 +28,7 @@ class Entries {
     count("merged", cut.merged);
     add("merged_by_at_most", cut.largest_move);
   }
-  /// Empty where no seam was opened.
+  /// `separates` is empty if no seam was opened.
   void add_separation(const std::vector<bool>& separates) {
     for (std::size_t c = 0; c < separates.size(); ++c) {
       add("separates." + std::to_string(c), static_cast<bool>(separates[c]));

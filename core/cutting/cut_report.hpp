@@ -1,4 +1,4 @@
-// A cut report tells what a cut did to a mesh, and what its parts are.
+// A cut report describes a cut of a mesh and the resulting parts.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace talweg {
 
-/// Counts of the cut, and of every part ("parts.0.faces"); where seams were opened, whether each
-/// curve separates the mesh ("separates.0"), with a warning where it does not. Lengths in mesh
-/// units. `ms`: the time that it took.
+/// Counts of the cut, and of every part ("parts.0.faces"). If seams were opened, also whether each
+/// curve separates the mesh ("separates.0"), with a warning if not. Lengths in mesh units. `ms`:
+/// the time of the cut.
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutMesh& cut,
                                     const MeshParts& made, const std::vector<std::string>& warnings,
                                     double ms);
-/// The same of a cut that is only planned; the cut mesh is not taken apart. O(1).
+/// The report of a planned cut, with the whole cut mesh as one part. O(1).
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutPlan& plan,
                                     const std::vector<std::string>& warnings, double ms);
 

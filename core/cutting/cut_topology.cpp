@@ -11,7 +11,7 @@
 namespace talweg {
 namespace {
 
-/// Leaves out the parts between two passages of a vertex.
+/// Removes the part between two passages of a vertex, for each such vertex.
 CutMesh::Chain without_loops(const CutMesh::Chain& chain) {
   CutMesh::Chain simple{chain.closed, {}};
   std::unordered_map<std::uint32_t, std::size_t> place;
@@ -25,7 +25,7 @@ CutMesh::Chain without_loops(const CutMesh::Chain& chain) {
     }
     const std::size_t first = known->second;
     if (chain.closed && kept.size() - first > chain.vertices.size() / 2) {
-      // The loop that ends here is kept as the curve; the parts before and after it hang on it.
+      // The loop between the two passages is the longer part and is kept; the rest is removed.
       kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(first));
       break;
     }
@@ -35,8 +35,8 @@ CutMesh::Chain without_loops(const CutMesh::Chain& chain) {
   return simple;
 }
 
-/// Per piece corners - edges + faces. Each face adds one face and subtracts three half edges; each
-/// edge with a face on one side only subtracts another half.
+/// Per piece, vertices - edges + faces, ascending. A face counts one face minus three halves of
+/// edges; an edge with one face counts another half. `twice` sums doubled values.
 std::vector<std::int64_t> euler_characteristics(const OpenedSeams& seams) {
   const std::vector<Triangle>& triangles = seams.lists.triangles;
   std::vector<std::int64_t> twice(seams.pieces, 0);

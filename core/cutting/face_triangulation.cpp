@@ -14,15 +14,15 @@ namespace {
 
 using Place = FaceTriangulation::Place;
 
-/// Up to so many places are compared one by one.
+/// Up to this number, places are found by linear search.
 constexpr std::size_t kFew = 32;
 constexpr std::uint32_t kNotThere = 0xFFFFFFFFU;
-/// Beyond so many, new points are improved around at once: otherwise flips would be n². Fewer are
-/// only improved in the end.
+/// Beyond this number of points, the triangulation is made Delaunay around each new point at once,
+/// which keeps the flips from growing as n². Fewer points are improved at the end only.
 constexpr std::size_t kMany = 1024;
 
-/// Twice a signed area, exactly: high times 2^21, plus low. Coordinates differ by at most 2^40, so
-/// it has up to 82 bits; products of 21 and 40 bits fit into 64.
+/// Twice a signed area, exact: high · 2^21 + low. Coordinates differ by at most 2^40, so the value
+/// has up to 82 bits; products of 21 and 40 bits fit into 64.
 struct Area {
   static constexpr int kShift = 21;
   std::int64_t high;
@@ -61,7 +61,7 @@ bool FaceTriangulation::has_edge(std::uint32_t a, std::uint32_t b) const {
   return triangle_of_.count(directed(a, b)) > 0 || triangle_of_.count(directed(b, a)) > 0;
 }
 
-/// The third corner of the triangle on the left of the edge.
+/// The third corner of the triangle on the left of the edge from a to b.
 std::uint32_t FaceTriangulation::opposite(std::uint32_t a, std::uint32_t b) const {
   for (const std::uint32_t c : triangles_[triangle_of_.at(directed(a, b))]) {
     if (c != a && c != b) return c;
@@ -112,7 +112,7 @@ void FaceTriangulation::split_edge(std::uint32_t a, std::uint32_t b, std::uint32
   }
 }
 
-/// The number of the point at a place, or kNotThere.
+/// The number of the point at a place, or kNotThere if there is none.
 std::uint32_t FaceTriangulation::find(const Place& place) const {
   if (places_.size() > kFew) {
     const auto known = number_of_.find(place);
@@ -134,7 +134,7 @@ std::array<int, 3> FaceTriangulation::sides(const Corners& c, std::uint32_t p) c
   return {side(c[0], c[1], p), side(c[1], c[2], p), side(c[2], c[0], p)};
 }
 
-/// The triangle with the point: of two the one with the smaller number.
+/// The triangle with a point; of two triangles at an edge, the smaller number.
 std::uint32_t FaceTriangulation::triangle_at(std::uint32_t p) const {
   const auto holds = [&](const Corners& c) {
     const std::array<int, 3> s = sides(c, p);
@@ -145,7 +145,7 @@ std::uint32_t FaceTriangulation::triangle_at(std::uint32_t p) const {
     if (found == triangles_.end()) fail();
     return static_cast<std::uint32_t>(found - triangles_.begin());
   }
-  // Points often come in order, each in a triangle at the one before.
+  // Consecutive points are often near each other, so the search starts at the previous point.
   std::uint32_t t = corner_of_.back();
   if (!holds(triangles_[t])) t = history_.at(holds);
   const Corners& c = triangles_[t];
@@ -179,7 +179,7 @@ std::uint32_t FaceTriangulation::insert(const Place& place) {
   return p;
 }
 
-/// Whether the edge may be replaced by the other diagonal.
+/// Whether the edge can be replaced by the other diagonal of its two triangles.
 bool FaceTriangulation::can_flip(std::uint32_t a, std::uint32_t b) const {
   if (is_fixed(a, b) || triangle_of_.count(directed(a, b)) == 0 ||
       triangle_of_.count(directed(b, a)) == 0) {
@@ -200,7 +200,7 @@ void FaceTriangulation::flip(std::uint32_t a, std::uint32_t b) {
   set(right, {q, b, p});
 }
 
-/// Flips edges opposite a point until none should be (C. Lawson, "Software for C1 surface
+/// Flips edges opposite to a point until all are Delaunay (C. Lawson, "Software for C1 surface
 /// interpolation", 1977).
 void FaceTriangulation::improve_around(std::uint32_t p) {
   std::vector<std::array<std::uint32_t, 2>> open;
@@ -216,7 +216,7 @@ void FaceTriangulation::improve_around(std::uint32_t p) {
       if (next == triangle_of_.end()) break;
       t = next->second;
     } while (t != first);
-    if (t == first && open.size() > 1) break;  // all around
+    if (t == first && open.size() > 1) break;  // p is inside
   }
   while (!open.empty()) {
     const auto [a, b] = open.back();
@@ -233,7 +233,8 @@ std::size_t FaceTriangulation::connect(std::uint32_t a, std::uint32_t b) {
   if (has_history_) history_.forget();
   has_history_ = false;
   std::vector<std::uint32_t> way{a};
-  // What is still to be reached, the next last. Not by recursion: a segment may cross thousands.
+  // A stack of points to reach, the next on top; recursion could be too deep for a segment across
+  // thousands of edges.
   std::vector<std::uint32_t> ahead{b};
   while (!ahead.empty()) {
     if (way.back() != ahead.back()) {
@@ -251,11 +252,12 @@ std::size_t FaceTriangulation::connect(std::uint32_t a, std::uint32_t b) {
   return segments_.size() - 1;
 }
 
-/// The edge opposite a through which the segment to b leaves the triangles at a, its right end
-/// first; or twice the point opposite a that it passes through.
+/// The edge through which the segment from a to b leaves the triangles at a, its right end first.
+/// If the segment passes through a point there, the result is this point twice.
 std::array<std::uint32_t, 2> FaceTriangulation::leaving(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t first = corner_of_[a];
-  for (const bool ccw : {true, false}) {  // clockwise only from a side of the face
+  for (const bool ccw :
+       {true, false}) {  // the clockwise turn is needed for a on a side of the face
     std::uint32_t t = first;
     do {
       const Corners& c = triangles_[t];
@@ -275,8 +277,8 @@ std::array<std::uint32_t, 2> FaceTriangulation::leaving(std::uint32_t a, std::ui
   fail();
 }
 
-/// Goes from a towards b: returns the end of an edge that now leads there, or, where that is no
-/// neighbour of a, a point of the segment that is to be reached first.
+/// Goes one step from a towards b. Returns a point of the segment that an edge from a reaches; if
+/// the result is not a neighbour of a, it must be reached first.
 std::uint32_t FaceTriangulation::step(std::uint32_t a, std::uint32_t b) {
   if (has_edge(a, b)) return b;
   auto [u, v] = leaving(a, b);
@@ -295,8 +297,8 @@ std::uint32_t FaceTriangulation::step(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Splits an edge of another segment where the segment from a to b crosses it, and returns the new
-/// point; returns one of the edge's ends if the lattice has no other place.
+/// Splits the edge from u to v, which belongs to another segment, at its crossing with the segment
+/// from a to b. Returns the new point, or an end of the edge if the lattice has no place between.
 std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::uint32_t u,
                                        std::uint32_t v) {
   const long double right = area(places_[a], places_[b], places_[u]).value();
@@ -323,9 +325,9 @@ std::uint32_t FaceTriangulation::cross(std::uint32_t a, std::uint32_t b, std::ui
   return x;
 }
 
-/// Flips the edges that the segment from a to b crosses until it is an edge (S. W. Sloan, "A fast
-/// algorithm for generating constrained Delaunay triangulations", 1993). Many would take the square
-/// of their number of flips.
+/// Flips the edges that the segment from a to b crosses until the segment is an edge (S. W. Sloan,
+/// "A fast algorithm for generating constrained Delaunay triangulations", 1993). For n crossed
+/// edges this may take n² flips, so many edges are handled by refill().
 void FaceTriangulation::clear_way(std::uint32_t a, std::uint32_t b, const Edges& edges) {
   constexpr std::size_t kManyEdges = 64;
   if (edges.size() > kManyEdges) {
@@ -348,8 +350,8 @@ void FaceTriangulation::clear_way(std::uint32_t a, std::uint32_t b, const Edges&
   }
 }
 
-/// Takes out the triangles that the segment from a to b crosses, and fills what is left on both
-/// sides of it.
+/// Removes the triangles that the segment from a to b crosses, and triangulates the hole on both
+/// sides of the segment.
 void FaceTriangulation::refill(std::uint32_t a, std::uint32_t b, const Edges& edges) {
   std::vector<std::uint32_t> free{triangle_of_.at(directed(edges[0][0], edges[0][1]))};
   std::vector<std::uint32_t> left{a}, right{a};
@@ -372,9 +374,10 @@ void FaceTriangulation::refill(std::uint32_t a, std::uint32_t b, const Edges& ed
   improve(std::move(made));
 }
 
-/// Between a chain and the segment that joins its ends, which sees all of it: three coins (G.
-/// Toussaint and D. Avis, "On a convex hull algorithm for polygons and its application to
-/// triangulation problems", 1982). Takes triangles from `free`, adds the edges to `made`.
+/// Triangulates the polygon between a chain and the segment between its ends, by the three coins
+/// algorithm for weakly edge-visible polygons (G. Toussaint and D. Avis, "On a convex hull
+/// algorithm for polygons and its application to triangulation problems", 1982). Takes triangle
+/// numbers from `free`, appends new edges to `made`.
 void FaceTriangulation::fill(const std::vector<std::uint32_t>& chain, bool on_left,
                              std::vector<std::uint32_t>& free, Edges& made) {
   std::vector<std::uint32_t> open;
@@ -394,7 +397,7 @@ void FaceTriangulation::fill(const std::vector<std::uint32_t>& chain, bool on_le
   if (open.size() != 2) fail();
 }
 
-/// Flips these edges, and those around what was flipped, until none should be.
+/// Flips the given edges, and edges around flipped ones, until all are Delaunay.
 void FaceTriangulation::improve(Edges open) {
   while (!open.empty()) {
     const auto [a, b] = open.back();
@@ -419,7 +422,7 @@ PlanePoint FaceTriangulation::plane(std::uint32_t p) const {
   return at;
 }
 
-/// The triangles beside a triangle, and it itself at the sides of the face.
+/// The neighbours of a triangle; the triangle itself at a side of the face.
 FaceTriangulation::Corners FaceTriangulation::neighbours(std::uint32_t triangle) const {
   const Corners& c = triangles_[triangle];
   Corners beside = {triangle, triangle, triangle};
@@ -430,7 +433,7 @@ FaceTriangulation::Corners FaceTriangulation::neighbours(std::uint32_t triangle)
   return beside;
 }
 
-/// Whether the angles opposite the edge sum to more than half a turn.
+/// Whether the edge is not Delaunay: the angles opposite to it sum to more than pi.
 bool FaceTriangulation::should_flip(std::uint32_t a, std::uint32_t b) const {
   const auto angle = [&](std::uint32_t at) {
     const PlanePoint o = plane(at), p = plane(a), q = plane(b);
@@ -441,8 +444,8 @@ bool FaceTriangulation::should_flip(std::uint32_t a, std::uint32_t b) const {
   return angle(opposite(a, b)) + angle(opposite(b, a)) > kHalfTurn + kRounding;
 }
 
-/// Sweeps over the triangles, again and again. A triangle is passed over if nothing has changed at
-/// it since it was last looked at.
+/// Visits the triangles by number in rounds. A round visits only triangles where something has
+/// changed since the last visit.
 void FaceTriangulation::improve() {
   using Waiting = std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>>;
   std::vector<std::uint32_t> all(triangles_.size());
@@ -479,7 +482,7 @@ void FaceTriangulation::improve() {
 
 std::vector<std::uint32_t> FaceTriangulation::chain(std::size_t segment) const {
   std::vector<std::uint32_t> chain{segments_[segment].front()};
-  std::vector<std::array<std::uint32_t, 2>> open;  // the first is last
+  std::vector<std::array<std::uint32_t, 2>> open;  // a stack: the first part is on top
   const std::vector<std::uint32_t>& way = segments_[segment];
   for (std::size_t i = way.size() - 1; i > 0; --i) open.push_back({way[i - 1], way[i]});
   while (!open.empty()) {

@@ -16,10 +16,11 @@
 namespace talweg {
 namespace {
 
-/// If the first lid does not fit, all triangulations of rims up to this many points are considered.
+/// The largest number of rim points for which all triangulations are considered if the first lid
+/// does not fit.
 constexpr std::size_t kWhole = 640;
-/// Where finding out which of their chords go through the mesh takes more faces than these, a few
-/// seconds, no others are used: chords pass the boxes of most faces where these are long.
+/// The limit of visited faces in tests of chords against the mesh (a few seconds); later chords
+/// count as excluded. Chords along long faces pass the boxes of most of them.
 constexpr std::size_t kMostFaces = 10'000'000;
 
 double extent_of(const std::vector<Point>& points, const Loop& rim) {
@@ -28,7 +29,7 @@ double extent_of(const std::vector<Point>& points, const Loop& rim) {
   return (box.high - box.low).norm();
 }
 
-/// The direction to the outside of a lid, from the vector area of its rim.
+/// The outward direction of a lid: the vector area of its rim, normalised.
 Point direction_of(const std::vector<Point>& points, const Loop& rim) {
   Point sum = Point::Zero();
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -45,9 +46,9 @@ Triangle ascending(Triangle t) {
 
 }  // namespace
 
-/// Returns true for a lid that meets nothing. Otherwise the lid is kept if it is the best so far.
+/// Whether a lid has no contacts. A lid is kept if it is the best so far.
 bool LidChooser::offer(Lid lid, std::size_t twin) {
-  contacts_.clear();  // those found for another lid refer to its triangles
+  contacts_.clear();  // contacts of another lid refer to its triangles
   if (lid.triangles.empty() || clearance_.repeats_triangle(lid) || !clearance_.taken(lid).empty()) {
     return false;
   }
@@ -65,7 +66,7 @@ bool LidChooser::offer_plane() {
   if (!taken.empty() || clearance_.repeats_triangle(lid)) {
     lid = with_inner_points(clearance_, lid, rims_, taken);
   }
-  // Two plane lids over one seam coincide.
+  // Two plane lids over the sides of one seam coincide, so their contacts are ignored.
   const std::size_t twin = find_twin();
   const bool lie_together = twin != LidClearance::kNoTwin && made_[twin].lid.plane;
   return offer(std::move(lid), lie_together ? twin : LidClearance::kNoTwin);
@@ -78,7 +79,7 @@ std::size_t LidChooser::find_twin() const {
   return LidClearance::kNoTwin;
 }
 
-/// Offers the lid of the other side of the seam, with its orientation reversed.
+/// Offers the lid of the seam's other side, with reversed orientation.
 bool LidChooser::offer_twin() {
   const std::size_t twin = find_twin();
   if (twin == LidClearance::kNoTwin) return false;
@@ -103,8 +104,8 @@ bool LidChooser::offer_least_area() {
   return offer({fill_loop(points_, rims_[0]), {}});
 }
 
-/// Offers the triangulation of least area without the triangles that met something last, a few
-/// times.
+/// Offers the triangulation of least area without excluded chords and triangles; the triangles with
+/// contacts are excluded in the next of a few rounds.
 bool LidChooser::offer_other_triangulations() {
   constexpr double kTolerance = 1e-9;
   const int rounds = rims_[0].size() <= 256 ? 4 : 2;
@@ -152,14 +153,15 @@ bool LidChooser::offer_sunk(const std::vector<Triangle>& triangles, bool in_one_
   return offer(std::move(lid));
 }
 
-/// Offers lids with points inside, starting from the rim's projection and from the lid of least
-/// area. The points are moved in one direction, or in the direction that each place needs.
+/// Offers lids with inner points, starting from the plane triangulation of the rim and from lids of
+/// least area. The points are moved in one direction, or away from the faces that each triangle
+/// meets.
 bool LidChooser::offer_sunk() {
   std::vector<std::vector<Triangle>> starts;
   if (auto plane = fill_plane(points_, rims_)) {
     const Best before = best_;
     if (offer({*plane, {}})) return true;
-    best_ = before;  // do not keep it if it touches
+    best_ = before;  // a plane start with contacts must not be kept
     starts.push_back(std::move(*plane));
   }
   if (!starts_.empty()) starts.push_back(starts_.back());

@@ -1,4 +1,4 @@
-// The choice of a lid finds one that closes a rim and meets nothing that is there.
+// The choice of a lid finds a lid that closes a rim without contacts.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,15 @@
 
 namespace talweg {
 
-/// Makes the lids of a piece, one after the other; each keeps clear of the earlier ones. Cost of a
-/// lid: a run of fill_plane(), or for other rims up to six of fill_loop(), and where all of these
-/// meet the mesh up to six of sink(). Its rim is compared with all earlier ones. What looks for
-/// other lids than the first one ends after some millions of faces that are looked at.
+/// Makes the lids of a piece one after the other; each lid keeps clear of the earlier lids. The
+/// cost of a lid is a run of fill_plane(), or for rims that are not plane up to six runs of
+/// fill_loop(), and if all these lids meet the mesh up to six runs of sink(). Every rim is compared
+/// with all earlier rims. The search after the first lid ends after some millions of visited faces.
 class LidChooser {
  public:
-  /// `origin` maps the piece's vertex numbers to those of the cut mesh, which the chains use. Two
-  /// rims along the same vertices of the cut mesh, the two sides of one cut, get the same lid if
-  /// they are on one part.
+  /// `origin` maps vertices of the piece to vertices of the cut mesh, which the chains refer to.
+  /// Two rims along the same vertices of the cut mesh, which are the two sides of a seam, get the
+  /// same lid if the rims are on one connected part.
   LidChooser(const std::vector<Point>& points, LidClearance& clearance,
              std::function<std::uint32_t(std::uint32_t)> origin,
              std::span<const CutMesh::Chain> chains, Asker& asker)
@@ -33,8 +33,8 @@ class LidChooser {
         chains_(chains),
         asker_(asker) {}
 
-  /// Chooses a lid over one rim, or over a plane rim and the holes in it, and places it. Throws
-  /// Cancelled.
+  /// Chooses a lid over one rim, or over a plane rim and its holes, and adds it to the clearance.
+  /// Throws Error(kBadCurve) as add_lids() does, and Cancelled.
   Lid choose(const std::vector<Loop>& rims, LidKind kind);
 
  private:
@@ -63,14 +63,14 @@ class LidChooser {
   std::function<std::uint32_t(std::uint32_t)> origin_;
   std::span<const CutMesh::Chain> chains_;
   Asker& asker_;
-  std::vector<Twin> made_;  // in the order of their numbers
+  std::vector<Twin> made_;  // by number
 
-  // For the rims that are being closed.
+  // State for the rims that are being closed.
   std::vector<Loop> rims_;
   std::set<std::uint32_t> parts_;
   std::vector<std::uint32_t> origins_;
   double extent_ = 0;
-  std::vector<LidClearance::Contact> contacts_;  // of the last offer
+  std::vector<LidClearance::Contact> contacts_;  // of the last offered lid
   std::vector<std::vector<Triangle>> starts_;
   Best best_;
 };

@@ -5,7 +5,8 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfVisit = 32, kOfPair = 12;  // work of a tree search, of two triangles
+constexpr std::size_t kOfVisit = 32,
+                      kOfPair = 12;  // units of work: a tree search, a test of two triangles
 
 SpaceBox box_of(const PointTriangle& t) { return SpaceBox::around(t); }
 
@@ -14,7 +15,8 @@ PointTriangle face_at(const MeshLists& piece, std::uint32_t face) {
   return {piece.points[t[0]], piece.points[t[1]], piece.points[t[2]]};
 }
 
-/// A rim's box, enlarged by its diagonal on all sides, which is as far as a lid reaches.
+/// The bounding box of a rim, enlarged by its diagonal on all sides: the space that a lid can
+/// reach.
 SpaceBox reach_of(const MeshLists& piece, const Loop& rim) {
   SpaceBox box{piece.points[rim[0]], piece.points[rim[0]]};
   for (const std::uint32_t v : rim) box = box.with({piece.points[v], piece.points[v]});
@@ -136,7 +138,7 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
   return found;
 }
 
-/// The largest length by which a face of the piece goes through a triangle.
+/// The largest crossing_reach() of a face of the given parts through a triangle.
 double LidClearance::reach_through(const PointTriangle& t,
                                    const std::set<std::uint32_t>& parts) const {
   double reach = 0;

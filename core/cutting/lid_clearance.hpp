@@ -1,4 +1,5 @@
-// A lid keeps clear of the piece that it closes, of other lids, and of itself.
+// Lid clearance finds contacts of a lid with the piece that it closes, with other lids, and with
+// itself.
 #pragma once
 
 #include <algorithm>
@@ -19,68 +20,67 @@
 
 namespace talweg {
 
-/// Triangles over one rim, or over an outer one and holes in it.
+/// Triangles over one rim, or over an outer rim and its holes.
 struct Lid {
   std::vector<Triangle> triangles;
-  std::vector<Point> inner;  ///< points that are not the piece's, numbered from the piece's size on
+  std::vector<Point> inner;  ///< additional points, numbered after those of the piece
   bool plane = false;
-  double sunk_by = 0;  ///< mesh units: largest distance that these points were moved
+  double sunk_by = 0;  ///< mesh units: largest move of an inner point by sink()
 };
 
-/// A side of triangles: an undirected edge.
+/// An undirected side of triangles.
 using Chord = std::pair<std::uint32_t, std::uint32_t>;
 inline Chord chord(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Faces in boxes around the rims, and the lids that have been placed.
+/// The faces near rims, and the lids that have been placed.
 class LidClearance {
  public:
-  /// `part_of_face`: the number of the connected part, per face of the piece. The piece must
-  /// outlive the object, and its faces must not change. O(faces), and O(k log k) for the k faces
-  /// near rims. The searches for contacts ask `asker`, which must outlive it too, and throw
-  /// Cancelled.
+  /// `part_of_face`: per face of the piece, its connected part. The piece must outlive the object,
+  /// and its faces must not change. O(faces + k log k) for k faces near rims. Searches for contacts
+  /// report their work to `asker`, which must outlive the object, and throw Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
                std::span<const Loop> rims, Asker& asker);
 
-  /// The part that a rim is on.
+  /// The connected part of a rim.
   [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
 
   /// A triangle of a lid, and a triangle that it touches or crosses: a face of the piece, or a
-  /// triangle of the same or an earlier lid.
+  /// triangle of this or an earlier lid.
   struct Contact {
     std::size_t triangle;
     PointTriangle other;
   };
-  /// The contacts of a lid; touching counts, and so do doubtful cases. Only faces and lids of the
-  /// parts that the lid closes, `parts`, are tested; other parts may meet them, as the two sides of
-  /// a cut do. `twin`: the number of a placed lid to ignore.
+  /// The contacts of a lid; touching and doubtful cases count. Only faces and lids of `parts`, the
+  /// parts that the lid closes, are tested: other parts may meet the lid, as the two sides of a
+  /// seam do. `twin`: the number of a placed lid to ignore.
   [[nodiscard]] std::vector<Contact> contacts(const Lid& lid, const std::set<std::uint32_t>& parts,
                                               std::size_t twin = kNoTwin) const;
   static constexpr std::size_t kNoTwin = static_cast<std::size_t>(-1);
-  /// The contacts with faces of the piece only.
+  /// The contacts of a lid with faces of the piece only.
   [[nodiscard]] std::vector<Contact> contacts_with_piece(
       const Lid& lid, const std::set<std::uint32_t>& parts) const;
-  /// The largest depth by which one of these contacts goes through; about 0 for contacts that only
-  /// touch. Contacts exactly at a corner or a side are found by moving the triangle by `shift`
-  /// either way.
+  /// The largest depth of penetration of the given contacts, mesh units; about 0 for contacts that
+  /// only touch. A penetration exactly at a corner or a side is found by moving the triangle by
+  /// `shift` (mesh units) in both directions.
   [[nodiscard]] double depth(const Lid& lid, std::span<const Contact> contacts,
                              const std::set<std::uint32_t>& parts, double shift) const;
 
-  /// Whether the segment between two points of a rim goes through a face of its part, by more than
-  /// `tolerance`.
+  /// Whether the segment between two points of a rim penetrates a face of the rim's part by more
+  /// than `tolerance` (mesh units).
   [[nodiscard]] bool pierces(std::uint32_t a, std::uint32_t b, double tolerance) const;
-  /// How many faces near rims all searches together have looked at.
+  /// The number of faces that all searches together have visited.
   [[nodiscard]] std::size_t faces_seen() const { return faces_seen_; }
 
-  /// Whether there is an edge between two vertices.
+  /// Whether an edge joins two vertices of rims.
   [[nodiscard]] bool has_edge(std::uint32_t a, std::uint32_t b) const {
     return edges_.count(chord(a, b)) > 0;
   }
-  /// The sides of a lid's triangles that are already edges, except those of the rims themselves.
+  /// The sides of a lid's triangles that already are edges, without the edges of rims.
   [[nodiscard]] std::vector<Chord> taken(const Lid& lid) const;
-  /// Whether a triangle of the lid has the same corners as an existing one.
+  /// Whether a triangle of the lid has the same corners as an existing triangle.
   [[nodiscard]] bool repeats_triangle(const Lid& lid) const;
 
-  /// Adds the lid to those that later lids keep clear of; lids are numbered in this order.
+  /// Adds a lid that later lids must keep clear of. Lids are numbered in the order of these calls.
   void place(const Lid& lid, const std::set<std::uint32_t>& parts);
 
   /// The number of a lid's first inner point.
@@ -102,9 +102,9 @@ class LidClearance {
     std::set<std::uint32_t> parts;
   };
 
-  /// The face with this number among the near ones.
+  /// Face k of the near faces.
   [[nodiscard]] PointTriangle near_face(std::uint32_t k) const;
-  /// Calls visit(k) for the near faces whose boxes a triangle meets.
+  /// Calls visit(k) for the near faces whose boxes meet a triangle.
   template <class Visit>
   void visit_near(const BoxesAtTriangle& place, Visit visit) const {
     tree_.visit(

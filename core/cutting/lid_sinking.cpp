@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// Divides a triangle along the inner points of its sides.
+/// Divides the triangles of a lid along the inner points of their sides.
 class Divider {
  public:
   Divider(const LidClearance& clearance, const Lid& lid, std::uint32_t first)
@@ -43,7 +43,7 @@ class Divider {
       add({corner(with), m[with], corner(with + 2)});
       add({m[with], corner(with + 1), corner(with + 2)});
     } else if (points == 2) {
-      // Divides off the corner between the two sides that have a point.
+      // Cuts off the corner between the two sides with a point.
       const std::size_t a = without + 2;
       const std::uint32_t before = m[(a + 2) % 3], after = m[a % 3];
       add({corner(a), after, before});
@@ -77,7 +77,8 @@ struct Plumb {
   double x, y, height;
 };
 
-/// The part of a triangle that lies above or below another one, seen along the heights.
+/// The part of a triangle above or below another triangle, clipped in the projection along the
+/// heights.
 std::vector<Plumb> part_over(const std::array<Plumb, 3>& below,
                              const std::array<Plumb, 3>& triangle) {
   std::vector<Plumb> part(triangle.begin(), triangle.end());
@@ -130,7 +131,7 @@ class Sinker {
 
   double run() {
     constexpr int kRounds = 64;
-    constexpr std::size_t kMostFaces = 4'000'000;  // about a second; for the rounds that follow
+    constexpr std::size_t kMostFaces = 4'000'000;  // about a second
     const std::size_t most = clearance_.faces_seen() + kMostFaces;
     double moved = 0;
     for (int round = 0; round < kRounds && moved <= extent_; ++round) {
@@ -161,7 +162,8 @@ class Sinker {
     return changed;
   }
 
-  /// Chooses the direction in which to move a triangle away from its contacts.
+  /// Chooses the direction in which a triangle moves away from its contacts. False if there is
+  /// none.
   bool choose_up(Contacts contacts) {
     up_ = direction_.value_or(Point::Zero());
     if (!direction_) {
@@ -185,7 +187,8 @@ class Sinker {
     return {plumb(t[0]), plumb(t[1]), plumb(t[2])};
   }
 
-  /// Lifts a triangle above the part of another triangle that lies over or under it.
+  /// Lifts a triangle of the lid above the part of a contact that lies over or under it. Tells
+  /// whether the triangle moved.
   bool leave_behind(const LidClearance::Contact& contact) {
     const Triangle& t = lid_.triangles[contact.triangle];
     std::array<Plumb, 3> own = plumb(clearance_.at(lid_, t));
@@ -196,8 +199,8 @@ class Sinker {
     return changed;
   }
 
-  /// Lifts the inner corners until the triangle passes over the place; the sum of squared moves is
-  /// minimal.
+  /// Lifts the inner corners until the triangle passes above `place`, with the least sum of squared
+  /// moves.
   bool lift(const Triangle& t, std::array<Plumb, 3>& own, const Plumb& place) {
     constexpr double kMargin = 1e-3, kLeast = 1e-9;
     const std::array<double, 3> b = barycentric(own, place);

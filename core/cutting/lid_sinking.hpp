@@ -1,4 +1,4 @@
-// A sunk lid goes around what is in its way, by points inside it.
+// Lid sinking moves the inner points of a lid to avoid faces of the piece.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,19 @@
 
 namespace talweg {
 
-/// The lid with a point in the middle of each of these chords; a lid of one triangle gets a point
-/// in its middle. Without chords: of all chords that are not edges of the rims, so that every
-/// triangle has a point inside and every new edge ends at one. O(triangles log triangles).
+/// The lid with a point at the middle of each of the given chords; a lid of one triangle gets a
+/// point at its centroid. If no chords are given, all chords except edges of rims get a point;
+/// every triangle then has an inner point, and every new edge ends at one. O(triangles log
+/// triangles).
 Lid with_inner_points(const LidClearance& clearance, const Lid& lid, std::span<const Loop> rims,
                       std::span<const Chord> chords = {});
 
-/// Moves the points inside a lid along a direction, or if there is none to the inner side of the
-/// faces that each triangle meets, only as far as needed. At these points the lid clears the faces
-/// by a thousandth of `extent`, and by proportionally less nearer to the rim. Moves by at most
-/// `extent`, in at most 64 rounds; the lid may still meet something afterwards. Returns how far the
-/// farthest point has moved. Cost of a round: LidClearance::contacts_with_piece(), and what it
-/// finds; none begins after 4 million faces that were looked at.
+/// Moves the inner points of a lid along `direction`, or if empty to the inner side of the faces
+/// that each triangle meets, only as far as needed. At inner points the lid clears the faces by a
+/// thousandth of `extent`, and by proportionally less towards the rim. The rounds end after a move
+/// of `extent`, after 64 rounds, or after 4 million visited faces; the lid may then still have
+/// contacts. Returns the largest move, mesh units. A round costs one
+/// LidClearance::contacts_with_piece() and O(contacts).
 double sink(Lid& lid, const LidClearance& clearance, const std::set<std::uint32_t>& parts,
             const std::optional<Point>& direction, double extent);
 

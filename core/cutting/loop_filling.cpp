@@ -15,15 +15,16 @@ namespace {
 
 constexpr std::size_t kMost = 256;
 
-/// The area, plus a small term for long sides that decides between triangulations of a plane
-/// polygon.
+/// The area of a triangle, plus a small term for long sides, which decides between triangulations
+/// of a plane polygon.
 double cost(const Point& a, const Point& b, const Point& c) {
   constexpr double kShape = 1e-6;
   const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
   return (b - a).cross(c - a).norm() / 2 + kShape * sides;
 }
 
-/// By dynamic programming over stretches of the polygon; false where there is no triangulation.
+/// Triangulates by dynamic programming over stretches of the polygon; false if there is no
+/// triangulation.
 bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOut* left_out,
                 std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
@@ -62,7 +63,8 @@ bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOu
   return true;
 }
 
-/// Fills the short stretches of a long polygon, then the polygon between them.
+/// Triangulates a polygon; in a long polygon first its short stretches, then the polygon of their
+/// ends.
 void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
           std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
@@ -81,7 +83,8 @@ void fill(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
   fill_short(points, spread, nullptr, triangles);
 }
 
-/// The same without excluded sides and triangles: stretches are shortened until they can be filled.
+/// fill() without excluded sides and triangles: a stretch is shortened until it can be
+/// triangulated.
 bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_t> loop,
                   const LeftOut& left_out, std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size(), whole = std::max(left_out.whole, kMost);
@@ -103,7 +106,7 @@ bool fill_without(const std::vector<Point>& points, std::span<const std::uint32_
   return spread.size() <= whole && fill_short(points, spread, &left_out, triangles);
 }
 
-/// Whether the loop runs along one seam on both sides, so that a lid would have no area.
+/// Whether the loop runs along both sides of one seam, so that a lid would have no area.
 template <class Original>
 bool is_slit(const Loop& loop, const Original& original) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -114,12 +117,12 @@ bool is_slit(const Loop& loop, const Original& original) {
   return false;
 }
 
-/// For each vertex on a rim that a cut left on a piece, the next one, in the direction of the lid.
+/// Per vertex on a rim that a cut left on a piece, the next vertex in the direction of the lid.
 std::map<std::uint32_t, std::uint32_t> cut_rims(const Piece& piece, const OpenedSeams& opened,
                                                 std::span<const CutMesh::Chain> chains) {
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
   std::set<Edge> seams;
-  std::vector<bool> on_seam(opened.lists.points.size(), false);  // old numbers
+  std::vector<bool> on_seam(opened.lists.points.size(), false);  // by vertex of the cut mesh
   for (const CutMesh::Chain& chain : chains) {
     const std::size_t n = chain.vertices.size();
     for (const std::uint32_t v : chain.vertices) on_seam[v] = true;
@@ -158,7 +161,7 @@ std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
 
 namespace {
 
-/// The closed rims of a piece without slits; counts the others.
+/// The closed rims of a piece, without slits. `left_open` receives the number of other rims.
 std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
                            std::span<const CutMesh::Chain> chains, std::size_t& left_open) {
   std::map<std::uint32_t, std::uint32_t> next = cut_rims(piece, opened, chains);
@@ -190,7 +193,7 @@ std::vector<Loop> loops_of(const Piece& piece, const OpenedSeams& opened,
   return loops;
 }
 
-/// The rims that get a lid together.
+/// Groups of rims that share a lid.
 std::vector<std::vector<Loop>> groups_of(const std::vector<Point>& points,
                                          const std::vector<Loop>& loops, LidKind kind) {
   std::vector<std::vector<Loop>> groups;
@@ -208,7 +211,7 @@ std::vector<std::vector<Loop>> groups_of(const std::vector<Point>& points,
         std::vector<Loop> own;
         own.reserve(group.size());
         for (const std::size_t i : group) own.push_back(loops[i]);
-        if (!fill_plane(points, own)) continue;  // they touch, so each gets its own lid
+        if (!fill_plane(points, own)) continue;  // rims that touch get separate lids
       }
       add(group);
     }

@@ -1,4 +1,4 @@
-// Lids close the holes that a cut leaves.
+// Loop filling makes lids that close the holes which a cut leaves.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,22 @@
 
 namespace talweg {
 
-/// Triangles over a closed polygon in space, without further points: the triangulation of least
-/// area (G. Barequet & M. Sharir, "Filling gaps in the boundary of a polyhedron", 1995), which for
-/// a plane polygon is the polygon itself. For polygons of more than 256 points it is the least one
-/// over 256 of their points spread evenly, joined with those of the stretches between them. `loop`:
-/// indices of points; triangles have its orientation. O(n³) up to 256 points, O(n) beyond. None for
-/// fewer than three points.
+/// The triangulation of least area of a closed polygon in space, without further points (G.
+/// Barequet & M. Sharir, "Filling gaps in the boundary of a polyhedron", 1995); for a plane polygon
+/// its triangles cover the polygon. For more than 256 points, the triangulation is the least over
+/// 256 evenly spread points, joined with triangulations of the stretches between these points.
+/// `loop`: indices of points; the triangles have its orientation. O(n³) up to 256 points, O(n)
+/// beyond. Empty for fewer than three points.
 std::vector<Triangle> fill_loop(const std::vector<Point>& points,
                                 std::span<const std::uint32_t> loop);
 
-/// Sides and triangles that a triangulation must not use.
+/// Sides and triangles that a triangulation must not contain.
 struct LeftOut {
-  std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< for sides that are not on the rim
-  std::set<Triangle> triangles;                             ///< by their corners, ascending
-  std::size_t whole = 256;  ///< up to this many points all triangulations are considered
-  Asker* asker = nullptr;   ///< asked whether to go on
+  std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< whether an inner side is excluded
+  std::set<Triangle> triangles;                             ///< corners ascending
+  std::size_t whole =
+      256;                 ///< largest number of points for which all triangulations are considered
+  Asker* asker = nullptr;  ///< work is reported to it, if not null
 
   [[nodiscard]] bool has(Triangle triangle) const {
     if (triangles.empty()) return false;
@@ -39,40 +40,40 @@ struct LeftOut {
     return triangles.count(triangle) > 0;
   }
 };
-/// The triangulation of least area without these. For polygons of more than `whole` points it is
-/// the one over some of the points (about 256, or more where sides are excluded), joined with those
-/// of the stretches between them. None if there is none, or none was found. O(n³) up to `whole`
-/// points.
+/// The triangulation of least area without the excluded sides and triangles. For more than `whole`
+/// points, the triangulation is the least over some of the points (about 256, or more because of
+/// excluded sides), joined with triangulations of the stretches between. Empty if none was found.
+/// O(n³) up to `whole` points.
 std::optional<std::vector<Triangle>> fill_loop(const std::vector<Point>& points,
                                                std::span<const std::uint32_t> loop,
                                                const LeftOut& left_out);
 
 /// The kinds of lid.
 enum class LidKind : std::uint8_t {
-  kAuto,      ///< plane where the rim is plane, of least area elsewhere
-  kPlanar,    ///< plane; for rims inside each other in one plane, the surface between them
+  kAuto,      ///< kPlanar for plane rims, kLeastArea for others
+  kPlanar,    ///< plane; a rim with holes in the same plane gets one lid
   kLeastArea  ///< fill_loop() of each rim
 };
 
 struct Lids {
-  std::size_t filled = 0;      ///< rims that got a lid
-  std::size_t planar = 0;      ///< rims with a plane lid
-  std::size_t triangles = 0;   ///< in all lids; they are the last faces of the piece
-  std::size_t left_open = 0;   ///< rims that end at the old boundary, and slits
-  std::size_t inner = 0;       ///< points inside lids; they are the last vertices of the piece
+  std::size_t filled = 0;     ///< rims that got a lid
+  std::size_t planar = 0;     ///< rims with a plane lid
+  std::size_t triangles = 0;  ///< in all lids; the last faces of the piece
+  std::size_t left_open =
+      0;                  ///< rims that end at the old boundary, and slits (both sides of one seam)
+  std::size_t inner = 0;  ///< inner points of lids; the last vertices of the piece
   std::size_t with_inner = 0;  ///< rims whose lid has inner points
-  double sunk_by = 0;          ///< mesh units: largest distance that inner points were moved
+  double sunk_by = 0;          ///< mesh units: largest move of an inner point
 };
-/// Fills the holes that a cut left in a piece. Lids never have an edge or a triangle that the piece
-/// has already, and keep clear of the part of the piece that they close, of themselves, and of
-/// other lids of that part. If the first choice of a lid does not, the triangulation of least area
-/// that does is used; otherwise a lid with points inside, which are moved out of the way to the
-/// outside of the lid. A lid may touch the piece, or go through it by up to `kPlaneTolerance` of
-/// the rim's extent, only where nothing else helps or where it must be plane.
-/// The faces and inner points of lids come from none: kNoFace in `faces`, kNoVertex in `vertices`.
-/// Throws Error(kBadCurve), naming rim and curve, where a lid must be plane and its rim is not or
-/// crosses itself, and where every lid goes through the piece, and Cancelled when `progress` (stage
-/// "cap") says so; the piece is then unchanged.
+/// Fills the holes that a cut left in a piece. A lid has no edge or triangle that the piece already
+/// has, and keeps clear of the connected part that it closes, of itself, and of other lids of this
+/// part. If the first lid has contacts, the triangulation of least area without contacts is used;
+/// if there is none, a lid with inner points, which are moved away from the faces. Only a lid that
+/// must be plane, or for which all this fails, may touch the piece or penetrate it by up to
+/// `kPlaneTolerance` of the rim's extent. The faces and inner points of lids have no source:
+/// kNoFace in `faces`, kNoVertex in `vertices`. Throws Error(kBadCurve), with rim and curve, if a
+/// lid must be plane but its rim is not plane or crosses itself, and if every lid penetrates the
+/// piece; Cancelled (stage "cap"). The piece is then unchanged.
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
               LidKind kind = LidKind::kAuto, const Progress& progress = {});
 

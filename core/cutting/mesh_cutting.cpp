@@ -8,7 +8,7 @@
 namespace talweg {
 namespace {
 
-/// Writes the lists of a mesh as a plan has it.
+/// Writes the lists of the cut mesh from a plan.
 class ListWriter {
  public:
   ListWriter(const SurfaceMesh& mesh, const CutPlan& plan, const Progress& progress)
@@ -28,7 +28,7 @@ class ListWriter {
  private:
   void write_vertices();
   void write_faces();
-  /// Tells of rows that were copied, whose number is counted from 0 and told after each.
+  /// Reports the copying of row number `rows` to the asker, in blocks.
   void did_rows(std::size_t rows) {
     constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
     if (rows % kBlock == 0) asker_.did(kBlock / 10);
@@ -64,7 +64,7 @@ void ListWriter::write_faces() {
   const std::size_t count = surface.face_count() - plan_.faces.size() + plan_.triangles.size();
   cut_.lists.triangles.reserve(count);
   cut_.face_from.reserve(count);
-  std::size_t next = 0;  // of the divided faces
+  std::size_t next = 0;  // index of the next divided face
   for (std::uint32_t f = 0; f < surface.face_count(); ++f) {
     did_rows(f);
     if (next < plan_.faces.size() && plan_.faces[next] == f) {

@@ -1,4 +1,4 @@
-// Cutting makes curves edges of the mesh.
+// Cutting turns curves into edges of the mesh.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,24 @@
 
 namespace talweg {
 
-/// A mesh with curves as chains of edges; its surface is exactly that of the old mesh.
+/// A mesh with curves as chains of edges. Its surface equals the surface of the old mesh.
 struct CutMesh : CutNumbers {
-  MeshLists lists;                        ///< the old vertices keep their numbers, new ones follow
-  std::vector<SurfacePoint> vertex_from;  ///< where each vertex lies on the old mesh
-  std::vector<std::uint32_t> face_from;   ///< the old face that each face is part of
+  MeshLists lists;                        ///< old vertices keep their numbers, new vertices follow
+  std::vector<SurfacePoint> vertex_from;  ///< the place of each vertex on the old mesh
+  std::vector<std::uint32_t> face_from;   ///< the old face that each face is a part of
   using Chain = CutChain;
   std::vector<Chain> chains;  ///< one per curve
 };
 
-/// Adds vertices on edges and inside faces where the curves run, and divides the faces they run
-/// through (constrained Delaunay triangulations, decided exactly in integer barycentrics). No old
-/// vertex moves. Curves may pass vertices, run along edges and the boundary, touch and cross
-/// themselves and each other; successive points at one place become one.
-/// O(vertices + faces + what the curves touch). Throws Error(kBadCurve) naming curve and point
-/// where two neighbours have no common face, and Cancelled.
+/// Adds vertices at the curves' points and crossings, and divides the faces along the curves by
+/// constrained Delaunay triangulations, exact in integer barycentric coordinates. Old vertices do
+/// not move. Curves may pass vertices, run along edges and the boundary, touch and cross themselves
+/// and each other; consecutive points at one place become one. O(vertices + faces + k log k) for k
+/// elements near the curves. Throws Error(kBadCurve) with curve and point if two consecutive points
+/// share no face, and Cancelled.
 CutMesh cut_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                   const CutOptions& options = {}, const Progress& progress = {});
-/// The mesh as this plan has it, which must be one for `mesh`. O(vertices + faces). Throws
-/// Cancelled.
+/// Applies a plan for `mesh`. O(vertices + faces). Throws Cancelled.
 CutMesh cut_by(const SurfaceMesh& mesh, const CutPlan& plan, const Progress& progress = {});
 
 }  // namespace talweg

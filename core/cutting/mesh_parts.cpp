@@ -18,12 +18,13 @@ namespace {
 
 const char* name_of(KeptSide side) { return side == KeptSide::kLeft ? "left" : "right"; }
 
-/// The pieces on a side of each curve.
+/// Per curve, the pieces on its left or right.
 const std::vector<std::vector<std::uint32_t>>& pieces_on(const OpenedSeams& seams, bool left) {
   return left ? seams.left : seams.right;
 }
 
-/// A curve at the border has a side without faces, which is another mistake.
+/// Throws Error(kBadCurve) for a curve that does not separate the mesh. A curve along the boundary,
+/// with a side without faces, is left to refuse_empty().
 void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams& seams,
                   KeptSide keep) {
   for (std::size_t c = 0; c < seams.left.size(); ++c) {
@@ -58,7 +59,8 @@ void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams
                   side));
 }
 
-/// Which pieces are on the side that is kept, and how many are on both.
+/// Per piece, whether it is kept. `between` counts the pieces on the kept side of one curve and the
+/// other side of another.
 std::vector<bool> kept(const OpenedSeams& seams, KeptSide keep, std::size_t& between) {
   if (keep == KeptSide::kBoth) return std::vector<bool>(seams.pieces, true);
   std::vector<bool> wanted(seams.pieces, false), other(seams.pieces, false);
@@ -134,8 +136,8 @@ void put_attributes(MeshParts& made, MeshAttributes carried) {
   made.left_out = std::move(carried.left_out);
 }
 
-/// The vertices of a part at each vertex of the chains. It costs nothing of the rest of the mesh,
-/// which may be taken apart into many parts.
+/// Finds the vertices of a part at each vertex of the chains. Memory and time grow with the chains
+/// and the part only, because the mesh may be divided into many parts.
 class VerticesOnChains {
  public:
   explicit VerticesOnChains(std::span<const CutMesh::Chain> chains) {
@@ -149,7 +151,7 @@ class VerticesOnChains {
     for (const std::uint32_t v : of_cut_) maybe_[v % maybe_.size()] = true;
   }
   void add(std::uint32_t of_cut, std::uint32_t of_part) {
-    if (!maybe_[of_cut % maybe_.size()]) return;  // most vertices: on no chain
+    if (!maybe_[of_cut % maybe_.size()]) return;  // a fast test: most vertices are on no chain
     const auto found = std::lower_bound(of_cut_.begin(), of_cut_.end(), of_cut);
     if (found == of_cut_.end() || *found != of_cut) return;
     here_[static_cast<std::size_t>(found - of_cut_.begin())].push_back(of_part);
@@ -161,7 +163,7 @@ class VerticesOnChains {
 
  private:
   std::vector<std::uint32_t> of_cut_;  // ascending
-  std::vector<bool> maybe_;            // by the remainder of a vertex of the cut
+  std::vector<bool> maybe_;            // by vertex of the cut mesh modulo the size
   std::vector<std::vector<std::uint32_t>> here_;
 };
 
@@ -176,7 +178,8 @@ MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttr
 
 MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress) {
-  MeshAttributes carried = carried_to(cut, mesh.surface(), attributes);  // needs the lists
+  MeshAttributes carried =
+      carried_to(cut, mesh.surface(), attributes);  // before the lists are moved away
   MeshParts made = without_attributes(std::move(cut.lists), mesh, cut, options, progress);
   put_attributes(made, std::move(carried));
   return made;

@@ -1,4 +1,4 @@
-// Mesh parts are what a cut mesh is taken apart into, with attributes, lids and origins.
+// Mesh parts are the meshes into which a cut mesh is divided, with attributes, lids and origins.
 #pragma once
 
 #include <array>
@@ -18,65 +18,64 @@
 
 namespace talweg {
 
-/// Which pieces are kept: those on that side of every curve along them, so that no piece is on both
-/// sides, however curves are nested.
+/// The pieces to keep: pieces that lie on the given side of all curves along them, so nested curves
+/// are handled, too.
 enum class KeptSide : std::uint8_t { kBoth, kLeft, kRight };
 
 struct PartOptions {
-  bool open = false;   ///< either side of a seam has vertices of its own
-  bool split = false;  ///< a part for each piece; otherwise all are in one part
+  bool open = false;   ///< both sides of a seam have separate vertices
+  bool split = false;  ///< a part for each piece; otherwise one part with all pieces
   KeptSide keep = KeptSide::kBoth;
-  std::optional<LidKind> lids;  ///< close what the cut leaves open
+  std::optional<LidKind> lids;  ///< lids close the holes that the cut leaves
 
-  /// Whether seams are opened, which all of these do.
+  /// Whether seams are opened, as every option requires.
   [[nodiscard]] bool opens() const { return open || split || keep != KeptSide::kBoth || lids; }
 };
 
 struct MeshPart {
   MeshLists lists;
   MeshAttributes attributes;
-  std::vector<std::uint32_t> vertices, faces;  ///< of the cut mesh; kNoVertex, kNoFace in lids
+  std::vector<std::uint32_t> vertices,
+      faces;  ///< their numbers in the cut mesh; kNoVertex, kNoFace in lids
   Lids lids;
 };
 
 struct MeshParts {
   std::vector<MeshPart> parts;  ///< at least one
-  std::size_t pieces = 1;       ///< that hang together, before some are left out
-  std::size_t between = 0;      ///< left out: on the left of one curve, the right of another
-  /// Per curve whether no piece lies on both of its sides, and one on either; none where no seam
-  /// was opened.
+  std::size_t pieces = 1;       ///< connected pieces, before some are left out
+  std::size_t between = 0;  ///< pieces left out: on the left of one curve, on the right of another
+  /// Per curve, whether it separates the mesh (curve_separation.hpp); empty if no seam was opened.
   std::vector<bool> separates;
-  std::vector<std::string> told;      ///< sentences on curves that do not: why, and what would
-  std::vector<std::string> left_out;  ///< attributes that are not carried over
+  std::vector<std::string> told;      ///< sentences about curves that do not separate the mesh
+  std::vector<std::string> left_out;  ///< descriptions of attributes that are not carried over
 };
 
-/// Takes the cut mesh apart. `attributes` are those of the mesh before the cut. Throws
-/// Error(kBadCurve) naming a curve that does not separate the mesh where one side is to be kept,
-/// with why and what would, and the curves where nothing is left; otherwise as add_lids() and
-/// carried_to() do. O(vertices + faces), and what lids cost. Worse: with `split` that for each
-/// piece, so many small pieces of a large mesh cost their number times the mesh.
+/// Divides the cut mesh into parts. `attributes` are the attributes of the mesh before the cut. If
+/// one side is to be kept, throws Error(kBadCurve) for a curve that does not separate the mesh,
+/// with the reason, and if no piece is left; also throws as add_lids() and carried_to() do.
+/// O(vertices + faces) plus the cost of lids; with `split`, O((vertices + faces) · pieces).
 MeshParts take_apart(const SurfaceMesh& mesh, const CutMesh& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress = {});
-/// The same; takes the lists of the cut instead of copying them, also where it throws. All else of
-/// the cut stays.
+/// Moves the lists of the cut instead of copying them, also if it throws. The other fields of the
+/// cut stay.
 MeshParts take_apart(const SurfaceMesh& mesh, CutMesh&& cut, const MeshAttributes& attributes,
                      const PartOptions& options, const Progress& progress = {});
 
-/// Where all of a part comes from.
+/// The origins of a part's elements.
 struct PartOrigins {
   struct Curve {
     bool closed = false;
-    /// For each vertex of the chain the vertices of the part that lie there: none where the part
-    /// does not reach it, several on both sides of a seam.
+    /// Per vertex of the chain, the vertices of the part at this place: none if the part does not
+    /// reach it, several on both sides of a seam.
     std::vector<std::vector<std::uint32_t>> vertices;
   };
-  std::vector<VertexOrigin> vertices;  ///< of the part; without vertices inside lids
-  std::vector<std::uint32_t> faces;    ///< of the part; kNoFace in lids
+  std::vector<VertexOrigin> vertices;  ///< per vertex of the part; without vertices inside lids
+  std::vector<std::uint32_t> faces;    ///< per face of the part; kNoFace in lids
   std::vector<Curve> curves;
 };
 
-/// `map`: if the mesh was repaired before it was cut; origins are then in the numbers before.
-/// O(the part + points of all chains, log).
+/// Finds the origins of a part. `map`: given if the mesh was repaired before the cut; origins then
+/// refer to the file. O(n log n) for the elements of the part and the points of all chains.
 PartOrigins origins_of(const MeshPart& part, const CutMesh& cut, const Surface& surface,
                        const RepairMap* map = nullptr);
 

@@ -1,4 +1,4 @@
-// A mixed order takes numbers far from each other one after the other.
+// A mixed order is a permutation whose consecutive numbers are far from each other.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace talweg {
 
-/// All numbers below `count`, with each part of the order spread evenly over them. Points along
-/// curves are inserted into triangulations like that: in their own order each would change n
-/// triangles. O(1) for a number.
+/// A permutation of the numbers below `count`; every run of the order is spread evenly over the
+/// numbers. Points along curves are inserted into triangulations in mixed order: in their own
+/// order, each would change O(n) triangles. O(1) for a number.
 class MixedOrder {
  public:
   explicit MixedOrder(std::size_t count) : count_(count) {
     if (count > 0) step_ = step_of(count);
   }
-  /// The k-th number.
+  /// The k-th number of the order.
   [[nodiscard]] std::size_t operator[](std::size_t k) const {
     return static_cast<std::size_t>(std::uint64_t{k} * step_ % count_);
   }

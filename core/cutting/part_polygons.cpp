@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kPlanePart = 1e-9;  // of the size
+constexpr double kPlanePart = 1e-9;  // fraction of the polygon's size
 constexpr std::size_t kNoPolygon = static_cast<std::size_t>(-1);
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
@@ -92,7 +92,7 @@ class PolygonFinder {
     }
   }
 
-  /// Triangles that hang together over edges that no curve runs along.
+  /// The sets of triangles that are connected across edges without a curve.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> pieces_of(
       std::span<const std::uint32_t> triangles) const {
     UnionFind groups(triangles.size());
@@ -106,7 +106,7 @@ class PolygonFinder {
         groups.join(other->second, i);
       }
     }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;  // by their first triangle
+    std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;  // by the first triangle
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
       pieces[groups.find(i)].push_back(triangles[i]);
     }
@@ -138,9 +138,9 @@ class PolygonFinder {
   const MeshPart& part_;
   const PartOrigins& origins_;
   std::span<const Polygon> of_file_;
-  std::vector<Ends> curves_;            // edges that curves run along, sorted
-  std::vector<std::uint32_t> first_;    // of each polygon in members_
-  std::vector<std::uint32_t> members_;  // triangles of the part
+  std::vector<Ends> curves_;            // edges along curves, sorted
+  std::vector<std::uint32_t> first_;    // per polygon, the index of its first triangle in members_
+  std::vector<std::uint32_t> members_;  // triangles of the part, by polygon
 };
 
 }  // namespace

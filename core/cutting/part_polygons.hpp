@@ -1,4 +1,4 @@
-// The polygons of a part are what the file's polygons became when the mesh was cut.
+// The polygons of a part are the polygons of the file, divided by the cut.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace talweg {
 
-/// The faces of a part as polygons. Polygons of the file that no curve has cut are whole again. A
-/// polygon that was cut becomes the polygons between the curves if it is plane (its corners within
-/// 1e-9 of its size), otherwise triangles, so that the surface stays what it was. So do what a
-/// curve ends in, and what is no disc. All other faces are triangles.
+/// The faces of a part as polygons. A polygon of the file that no curve has cut is whole. A cut
+/// polygon becomes the polygons between the curves if it is plane (corners within 1e-9 of its
+/// size), otherwise triangles, so the surface does not change. A piece of a polygon in which a
+/// curve ends, or which is not a disc, also becomes triangles. All other faces are triangles.
 ///
-/// `origins`: of this part, with the numbers of the file whose polygons `of_file` has. Faces come
-/// in the order of their first triangles. O(faces log faces).
+/// `origins` are the origins of this part in the file with the polygons `of_file`. Faces are
+/// ordered by their first triangles. O(faces log faces).
 FaceOutlines polygons_of(const MeshPart& part, const PartOrigins& origins,
                          std::span<const Polygon> of_file);
 

@@ -52,7 +52,7 @@ Plane plane_of(const std::vector<Point>& points, const Loop& loop) {
   return plane;
 }
 
-/// Whether a point in the plane lies inside of a loop, by counting crossings of a ray.
+/// Whether a point in the plane lies inside a loop, by counting crossings of a ray.
 bool contains(const std::vector<Point>& points, const Plane& plane, const Loop& loop,
               const Point& point) {
   const PlanePoint at = plane(point);
@@ -73,7 +73,7 @@ bool meet(const std::vector<Point>& points, const Loop& a, const Loop& b) {
   });
 }
 
-/// Triangulates a large triangle around the loops, with the loops as edges.
+/// Triangulates a large triangle around the loops, with the loops as constrained edges.
 class PlaneFiller {
  public:
   PlaneFiller(const std::vector<Point>& points, std::span<const Loop> loops)
@@ -93,12 +93,13 @@ class PlaneFiller {
   }
 
  private:
-  /// Inserts the points in a mixed order, which avoids thin triangles on the way.
+  /// Inserts the points in a mixed order, which avoids thin triangles. False if two points share a
+  /// place.
   bool insert() {
     std::vector<std::uint32_t> all;
     for (const Loop& loop : loops_) all.insert(all.end(), loop.begin(), loop.end());
     const MixedOrder mixed(all.size());
-    number_ = {0, 0, 0};  // the triangle's own corners
+    number_ = {0, 0, 0};  // the corners of the large triangle
     for (std::size_t k = 0; k < all.size(); ++k) {
       const std::uint32_t v = all[mixed[k]];
       if (triangulation_.insert(place(points_[v])) != number_.size()) return false;
@@ -109,7 +110,8 @@ class PlaneFiller {
     return local_.size() == all.size();
   }
 
-  /// The lattice place inside the triangle: the loops cover at most two fifths of its sides.
+  /// The lattice place of a point. The loops cover at most two fifths of the large triangle's
+  /// sides.
   [[nodiscard]] FaceTriangulation::Place place(const Point& point) const {
     const PlanePoint at = plane_(point);
     const auto on_lattice = [&](double x) {
@@ -126,15 +128,16 @@ class PlaneFiller {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::uint32_t a = local_[loop[i]], b = local_[loop[(i + 1) % loop.size()]];
         const std::size_t segment = triangulation_.connect(a, b);
-        if (triangulation_.places().size() != number_.size()) return false;  // a crossing
-        if (triangulation_.chain(segment).size() != 2) return false;  // through another point
+        if (triangulation_.places().size() != number_.size()) return false;  // the loops cross
+        if (triangulation_.chain(segment).size() != 2)
+          return false;  // the segment passes through another point
         if (!rims_.insert(std::minmax(a, b)).second) return false;
       }
     }
     return true;
   }
 
-  /// The triangles reached from the left of the first loop without crossing a loop.
+  /// The triangles that are reached from the left of the first loop without crossing a loop.
   std::vector<Triangle> inside() {
     const auto& all = triangulation_.triangles();
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> left_of;
@@ -169,12 +172,13 @@ class PlaneFiller {
   std::span<const Loop> loops_;
   Plane plane_;
   FaceTriangulation triangulation_;
-  std::vector<std::uint32_t> number_;             // by the triangulation's numbers
-  std::map<std::uint32_t, std::uint32_t> local_;  // the reverse
+  std::vector<std::uint32_t> number_;  // by point of the triangulation, the point of a loop
+  std::map<std::uint32_t, std::uint32_t> local_;  // the reverse of number_
   std::set<std::pair<std::uint32_t, std::uint32_t>> rims_;
 };
 
-/// Wider than what kPlaneTolerance lets a loop's plane and its holes be off.
+/// A loop's bounding box, enlarged by more than the distance that kPlaneTolerance allows between
+/// its plane and its holes.
 SpaceBox box_around(const std::vector<Point>& points, const Loop& loop, double extent) {
   const double wider = 8 * kPlaneTolerance * extent;
   SpaceBox box{points[loop[0]], points[loop[0]]};
@@ -184,7 +188,7 @@ SpaceBox box_around(const std::vector<Point>& points, const Loop& loop, double e
   return box;
 }
 
-/// Each loop that is no hole, with the loops that are holes of it.
+/// Groups of an outer loop and its holes.
 std::vector<std::vector<std::size_t>> grouped(std::vector<std::size_t> plane_loops,
                                               const std::vector<std::size_t>& hole_of) {
   std::sort(plane_loops.begin(), plane_loops.end());
@@ -228,7 +232,8 @@ std::vector<std::vector<std::size_t>> plane_groups(const std::vector<Point>& poi
            !meet(points, loops[outer], loops[inner]);
   };
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> around(by_area.size(), kNone);  // the smallest loop around each
+  std::vector<std::size_t> around(by_area.size(),
+                                  kNone);  // the smallest loop around each, by place in by_area
   const auto box_of = [&](std::uint32_t k) {
     return box_around(points, loops[by_area[k]], planes[by_area[k]].extent);
   };

@@ -1,4 +1,5 @@
-// Point merging makes one point of those that lie too near to each other to be two.
+// Point merging finds points of a cut that lie too near to each other, to a vertex or to an edge to
+// stay separate.
 #pragma once
 
 #include <array>
@@ -8,21 +9,21 @@
 
 namespace talweg {
 
-/// Tells which points of a cut are one. O(1) for a point.
+/// The rules of merging. O(1) for a point.
 class PointMerging {
  public:
-  /// `merge`: a part of an edge, in barycentrics; `resolution`: a distance, 0 for none. The surface
-  /// must outlive this.
+  /// `merge`: a fraction of an edge, in barycentric coordinates; `resolution`: a distance, mesh
+  /// units, 0 for none. The surface must outlive the object.
   PointMerging(const Surface& surface, double merge, double resolution)
       : surface_(surface), merge_(merge), resolution_(resolution) {}
 
-  /// How near, as a part of this edge.
+  /// The merging distance on an edge, as a fraction of the edge.
   [[nodiscard]] double on(EdgeId edge) const { return at_least(surface_.length(edge)); }
-  /// How near, in barycentrics, two points of one face must be at least to be one.
+  /// The merging distances in a face, in barycentric coordinates.
   [[nodiscard]] std::array<double, 3> in(FaceId face) const;
-  /// Whether two points of one face are one.
+  /// Whether two points of one face are merged.
   [[nodiscard]] bool same(const InFace& p, const InFace& q) const;
-  /// Moves a point to a vertex or an edge if it lies near it.
+  /// The point, moved to a vertex or an edge within the merging distance.
   [[nodiscard]] SurfacePoint settled(const SurfacePoint& point) const;
 
  private:

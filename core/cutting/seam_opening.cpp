@@ -23,7 +23,7 @@ Key undirected(std::uint32_t a, std::uint32_t b) {
   return directed(std::min(a, b), std::max(a, b));
 }
 
-/// Stores only the faces around the chains' vertices, which keeps it fast.
+/// Opens seams. The maps hold only faces around the chains' vertices.
 class Opener {
  public:
   Opener(MeshLists lists, std::span<const CutMesh::Chain> chains) : chains_(chains) {
@@ -43,8 +43,8 @@ class Opener {
   }
 
   std::span<const CutMesh::Chain> chains_;
-  std::vector<std::array<std::uint32_t, 2>> faces_at_;  // vertex of a chain, and face; sorted
-  std::unordered_map<Key, std::uint32_t> face_of_;      // the face on the left of directed edges
+  std::vector<std::array<std::uint32_t, 2>> faces_at_;  // (vertex of a chain, face), sorted
+  std::unordered_map<Key, std::uint32_t> face_of_;      // per directed edge, the face on its left
   std::unordered_set<Key> seams_;
   OpenedSeams result_;
 };
@@ -54,7 +54,7 @@ void Opener::find_faces() {
   std::vector<bool> on_chain(lists.points.size(), false);
   for (const CutMesh::Chain& chain : chains_) {
     for (const std::uint32_t v : chain.vertices) {
-      if (v < on_chain.size()) on_chain[v] = true;  // others are rejected below
+      if (v < on_chain.size()) on_chain[v] = true;  // larger numbers are rejected in find_seams()
     }
   }
   for (std::uint32_t f = 0; f < lists.triangles.size(); ++f) {
@@ -97,7 +97,8 @@ void Opener::find_seams() {
   }
 }
 
-/// Every sector between seams gets a vertex; the sector of the first face keeps the old one.
+/// Gives every sector of faces between seams its own vertex; the sector of the smallest face keeps
+/// the old vertex.
 void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
   UnionFind sectors(faces.size());
   const auto place = [&](std::uint32_t face) {
@@ -106,7 +107,8 @@ void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
   };
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     for (const std::uint32_t corner : result_.lists.triangles[faces[i]]) {
-      const std::uint32_t w = result_.vertex_from[corner];  // earlier vertices are opened already
+      const std::uint32_t w =
+          result_.vertex_from[corner];  // `corner` may be a copy of a vertex opened earlier
       if (w == v || seams_.count(undirected(v, w)) > 0) continue;
       for (const std::uint32_t face : {left_of(v, w), left_of(w, v)}) {
         if (face != kNone) sectors.join(i, place(face));
@@ -128,14 +130,14 @@ void Opener::open_at(std::uint32_t v, std::span<const std::uint32_t> faces) {
   }
 }
 
-/// Faces that still share a vertex belong to one piece.
+/// Numbers the pieces: faces that share a vertex belong to one piece.
 void Opener::number_pieces() {
   UnionFind parts(result_.lists.points.size());
   for (const auto& [a, b, c] : result_.lists.triangles) {
     parts.join(a, b);
     parts.join(b, c);
   }
-  std::vector<std::uint32_t> number(result_.lists.points.size(), kNone);  // by the root of a part
+  std::vector<std::uint32_t> number(result_.lists.points.size(), kNone);  // by root vertex
   result_.piece_of_face.reserve(result_.lists.triangles.size());
   for (const Triangle& t : result_.lists.triangles) {
     std::uint32_t& piece = number[parts.find(t[0])];

@@ -1,4 +1,4 @@
-// Opening seams takes a mesh apart along chains of its edges.
+// Seam opening separates a mesh along chains of its edges.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,26 @@
 namespace talweg {
 
 struct OpenedSeams {
-  MeshLists lists;  ///< vertices keep their numbers; copies for the other sides of seams follow
-  std::vector<std::uint32_t> vertex_from;    ///< the vertex that each is a copy of, or itself
-  std::vector<std::uint32_t> piece_of_face;  ///< numbered by their first faces
+  MeshLists lists;                           ///< vertices keep their numbers; copies follow
+  std::vector<std::uint32_t> vertex_from;    ///< the vertex that each copies, or itself
+  std::vector<std::uint32_t> piece_of_face;  ///< pieces are numbered by their first faces
   std::size_t pieces = 0;
-  /// Per chain the pieces on its left and right, seen along it with the outside up; equal where the
-  /// chain does not separate them.
+  /// Per chain, the pieces on its left and right, ascending, seen along the chain with the outside
+  /// up. A piece may be on both sides.
   std::vector<std::vector<std::uint32_t>> left, right;
 };
 
-/// Takes a mesh apart along chains of edges: afterwards the two sides of a seam have separate
-/// vertices. An end of an open chain inside the mesh stays closed; a chain of one vertex opens
-/// nothing. Pieces are the parts that are still connected.
-/// The lists must be a surface, as those of cut_along() are; only the faces around the chains are
-/// checked for that. O(vertices + faces), and one pass over all other faces.
-/// Throws Error(kBadMesh) for an index out of range, and for faces around a chain that do not fit
-/// together; Error(kBadCurve) naming chain and place where two neighbours of a chain are not joined
-/// by an edge.
+/// Opens seams along chains of edges: the two sides of a seam get separate vertices. The end of an
+/// open chain inside the mesh stays closed; a chain of one vertex opens nothing. Pieces are the
+/// connected parts after opening. The lists must form an oriented surface, as the lists of
+/// cut_along() do; only faces around the chains are checked. O(vertices + faces). Throws
+/// Error(kBadMesh) for an index out of range, and for faces around a chain that do not form a
+/// surface; Error(kBadCurve) with the chain if no edge joins two consecutive vertices.
 OpenedSeams open_seams(MeshLists lists, std::span<const CutMesh::Chain> chains);
 
-/// One piece, or several as one mesh, without unused vertices. `faces`, `vertices`: the original
-/// face or vertex of each. O(vertices + faces) of all pieces, however small the wanted ones are.
+/// One or several pieces as one mesh, without unused vertices. `faces`, `vertices`: the numbers of
+/// its elements in OpenedSeams::lists. O(vertices + faces) of all pieces, even if the wanted pieces
+/// are small.
 struct Piece {
   MeshLists lists;
   std::vector<std::uint32_t> faces, vertices;

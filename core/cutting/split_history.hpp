@@ -1,4 +1,5 @@
-// A split history remembers how a triangulation grew, and so finds the triangle at a place quickly.
+// A split history records all triangles of a growing triangulation, to find the triangle at a place
+// quickly.
 #pragma once
 
 #include <array>
@@ -10,18 +11,18 @@
 
 namespace talweg {
 
-/// The triangles that there ever were, each with those that took its place. Finding a place takes
-/// the depth of this graph: log n as a rule where points came in a mixed order (L. Guibas, D.
-/// Knuth, M. Sharir, "Randomized incremental construction of Delaunay and Voronoi diagrams", 1992).
-/// About 32 bytes for a triangle that was.
+/// A directed graph of all triangles of the past and present; a replaced triangle points to the
+/// triangles that replaced it. Finding a place takes the depth of the graph: log n expected for
+/// points in mixed order (L. Guibas, D. Knuth, M. Sharir, "Randomized incremental construction of
+/// Delaunay and Voronoi diagrams", 1992). About 32 bytes per triangle of the graph.
 class SplitHistory {
  public:
   using Corners = std::array<std::uint32_t, 3>;
 
-  /// Begins with triangle 0.
+  /// The history of triangle 0 with the given corners.
   explicit SplitHistory(const Corners& corners) : ever_{{corners, 0, {}, 0}}, now_{0} {}
 
-  /// The triangle with this number is divided; one of its two or three parts takes its number.
+  /// Records the division of a triangle into two or three parts, one of which keeps its number.
   void divide(std::uint32_t triangle,
               std::initializer_list<std::pair<std::uint32_t, Corners>> parts) {
     const std::uint32_t whole = now_[triangle];
@@ -35,7 +36,7 @@ class SplitHistory {
     }
   }
 
-  /// Two triangles take the place of two: the edge between them is flipped.
+  /// Records a flip: the two triangles at an edge are replaced by two others with the same numbers.
   void flip(const std::pair<std::uint32_t, Corners>& left,
             const std::pair<std::uint32_t, Corners>& right) {
     const std::array<std::uint32_t, 2> before = {now_[left.first], now_[right.first]};
@@ -44,10 +45,11 @@ class SplitHistory {
     ever_[before[1]].count = 2;
   }
 
-  /// Gives up its memory; nothing can be found any more.
+  /// Frees the memory; at() must not be called afterwards.
   void forget() { *this = SplitHistory({0, 0, 0}); }
 
-  /// A triangle with a place: holds(Corners) tells whether one has it. Every place is in one.
+  /// The triangle at a place. holds(Corners) tells whether a triangle contains the place; the place
+  /// must lie in the first triangle.
   template <class Holds>
   [[nodiscard]] std::uint32_t at(const Holds& holds) const {
     std::uint32_t i = 0;
@@ -63,12 +65,12 @@ class SplitHistory {
  private:
   struct Ever {
     Corners corners;
-    std::uint32_t triangle;              // its number, or that of one of its parts
-    std::array<std::uint32_t, 3> parts;  // indices here
-    std::uint32_t count;                 // of parts; 0: it is there
+    std::uint32_t triangle;              // its number in the triangulation
+    std::array<std::uint32_t, 3> parts;  // indices in ever_
+    std::uint32_t count;                 // of parts; 0 if the triangle exists
   };
   std::vector<Ever> ever_;
-  std::vector<std::uint32_t> now_;  // of each triangle that is there its index in ever_
+  std::vector<std::uint32_t> now_;  // per existing triangle, its index in ever_
 };
 
 }  // namespace talweg

@@ -13,7 +13,7 @@ EdgeKey edge_key(std::uint32_t a, std::uint32_t b) {
   return (EdgeKey{std::min(a, b)} << 32U) | std::max(a, b);
 }
 
-/// Edges between vertices of curves, numbered in the order in which the triangles have them.
+/// The edges between vertices of curves, numbered in the order of the triangles.
 std::unordered_map<EdgeKey, std::size_t> edges_between(std::span<const Triangle> triangles,
                                                        std::span<const PartOrigins::Curve> curves) {
   std::vector<bool> on_curve;

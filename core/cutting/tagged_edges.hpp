@@ -1,4 +1,4 @@
-// Tagged edges are those of a mesh that curves run along.
+// Tagged edges are the edges of a mesh along curves, with the number of the curve.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace talweg {
 
-/// The edges of the triangles that curves run along, by curve and along it; where a seam has been
-/// opened, both edges. `curves`: of the origins of these triangles. O(triangles).
+/// The edges of the triangles along curves, ordered by curve and along the curve; at an opened
+/// seam, both edges. `curves` belong to the origins of these triangles. O(triangles).
 std::vector<TaggedEdge> tagged_edges(std::span<const Triangle> triangles,
                                      std::span<const PartOrigins::Curve> curves);
 

@@ -1,4 +1,5 @@
-// A vertex origin says in numbers where a vertex of a cut mesh lies on the old one.
+// A vertex origin is the place of a cut mesh's vertex on the old mesh, as a weighted mean of old
+// vertices.
 #pragma once
 
 #include <array>
@@ -10,17 +11,20 @@
 
 namespace talweg {
 
-// The numbers that stand for no element, as the origin of what lies in lids.
+// The numbers for no element: the origin of elements of lids.
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 
-/// Where a vertex lies on the mesh that came in: at a vertex of weight 1, on an edge or in a face.
+/// The place of a vertex on the old mesh: at one vertex (weight 1), on an edge (two) or in a face
+/// (three).
 struct VertexOrigin {
-  std::array<std::uint32_t, 3> vertices{kNoVertex, kNoVertex, kNoVertex};  ///< the first so many
-  std::array<double, 3> weights{};  ///< on an edge exactly 1 - t and t
+  std::array<std::uint32_t, 3> vertices{kNoVertex, kNoVertex,
+                                        kNoVertex};  ///< one, two or three, then kNoVertex
+  std::array<double, 3> weights{};                   ///< on an edge exactly 1 - t and t
 };
 
-/// `map`: if the mesh was repaired before it was cut; origins are then in the numbers before.
+/// The origin of a point. `map`: given if the mesh was repaired before the cut; the origin then
+/// refers to the file.
 VertexOrigin origin_of(const SurfacePoint& point, const Surface& surface,
                        const RepairMap* map = nullptr);
 

@@ -14,16 +14,17 @@ namespace {
 
 using Label = std::int64_t;
 
-/// A piece of border between two successive points; the smaller label is on its left.
+/// A segment of a border between two consecutive points; the smaller label is on its left.
 struct Link {
   std::uint32_t from, to;
   std::array<Label, 2> labels;
 };
 
-/// Points and links. Links are joined to chains through points with only one way on.
+/// A graph of points and links. Links are joined to chains at points with one link in and one link
+/// out.
 class BorderGraph {
  public:
-  /// The number of a point. Equal keys are equal points.
+  /// The number of the point with this key. Borders end at the point if `ends_here`.
   std::uint32_t point(std::size_t key, bool ends_here) {
     if (key >= number_.size()) number_.resize(key + 1, kNone);
     if (number_[key] == kNone) {
@@ -41,7 +42,7 @@ class BorderGraph {
     links_.push_back({left_from, left_to, {left, right}});
   }
 
-  /// Calls emit(labels, keys of the points, closed, whether the first is a junction).
+  /// Calls emit(labels, keys of the points, closed, whether the first point is a junction).
   template <class Emit>
   void chains(const Emit& emit) {
     sort_links();
@@ -55,7 +56,7 @@ class BorderGraph {
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-  /// Links by the point they leave: out_[first_[p]] to out_[first_[p + 1] - 1].
+  /// Sorts links by the point that they leave: out_[first_[p]] to out_[first_[p + 1] - 1].
   void sort_links() {
     first_.assign(keys_.size() + 1, 0);
     entering_.assign(keys_.size(), 0);
@@ -68,7 +69,7 @@ class BorderGraph {
     std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
     for (std::uint32_t l = 0; l < links_.size(); ++l) out_[fill[links_[l].from]++] = l;
   }
-  /// Whether borders end at the point. Where a border goes on, exactly one link enters and one
+  /// Whether borders end at the point. Where a border continues, exactly one link enters and one
   /// leaves, with the same labels on both sides.
   [[nodiscard]] bool is_end(std::uint32_t p) const {
     return ends_[p] || entering_[p] != 1 || first_[p + 1] - first_[p] != 1;
@@ -139,8 +140,8 @@ std::vector<LabelBorder> borders_of_vertices(const Surface& surface,
                                              std::span<const Label> labels) {
   BorderGraph graph;
   const auto label = [&](VertexId v) { return labels[v.index()]; };
-  // Keys: edges' midpoints have the edges' numbers; faces' centroids have the faces' numbers after
-  // these.
+  // The key of an edge's midpoint is the number of the edge; the key of a face's centroid is the
+  // number of edges plus the number of the face.
   const auto midpoint = [&](HalfedgeId h) {
     return graph.point(edge_of(h).index(), surface.on_boundary(edge_of(h)));
   };
@@ -155,10 +156,10 @@ std::vector<LabelBorder> borders_of_vertices(const Surface& surface,
       if (!mixed(h)) continue;
       const Label tail = label(surface.tail(h)), head = label(surface.head(h));
       if (three) {
-        // Going into the face over its side h, the side's tail lies on the left.
+        // Seen into the face across its side h, the tail of h lies on the left.
         const std::uint32_t from = midpoint(h);
         graph.link(from, graph.point(surface.edge_count() + f, true), tail, head);
-      } else if (mixed(surface.prev(h))) {  // from h around the tail of h, the common corner
+      } else if (mixed(surface.prev(h))) {  // a link from h around the tail of h
         const std::uint32_t from = midpoint(h);
         graph.link(from, midpoint(surface.prev(h)), tail, head);
       }
@@ -182,7 +183,7 @@ std::vector<LabelBorder> label_borders(const Surface& surface, std::span<const L
 }
 
 std::size_t count_junctions(const Surface& surface, std::span<const LabelBorder> borders) {
-  std::set<std::pair<std::size_t, std::size_t>> places;  // kind and number
+  std::set<std::pair<std::size_t, std::size_t>> places;  // kind (0: vertex, 1: face) and number
   const auto add = [&](const SurfacePoint& p) {
     if (const auto* v = std::get_if<AtVertex>(&p.where())) {
       if (!surface.on_boundary(v->vertex)) places.emplace(0, v->vertex.index());

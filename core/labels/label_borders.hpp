@@ -14,24 +14,24 @@ namespace talweg {
 
 /// A border between two labels, from one junction or boundary point to the next, or a whole loop.
 struct LabelBorder {
-  std::array<std::int64_t, 2> labels{};  ///< left and right of the curve; the smaller one is left
+  std::array<std::int64_t, 2> labels{};  ///< left and right of the curve; the smaller label is left
   SurfaceCurve curve;
-  std::vector<SurfacePoint> fixed;  ///< the junction at which a closed curve begins and ends
+  std::vector<SurfacePoint> fixed;  ///< the junction where a closed curve begins and ends, if any
 };
 
-/// The borders between labels, which are given one per face or one per vertex. With labels of
-/// faces, borders run along the edges between faces of different labels. With labels of vertices,
-/// they run through the midpoints of edges between different labels, and through the centroid of a
-/// face where three labels meet in it. A border ends where three or more borders meet, where the
-/// same two labels meet again at a point, and at the mesh's boundary, so borders have at most their
-/// ends in common. The order is always the same: first borders with ends, then loops. O(faces).
+/// The borders between labels per face or per vertex. Borders of face labels run along the edges
+/// between faces of different labels. Borders of vertex labels run through the midpoints of edges
+/// between different labels, and through the centroid of a face with three labels. A border ends
+/// where three or more borders meet, where the same two labels meet again at a point, and at the
+/// boundary of the mesh, so two borders share at most their ends. The order is deterministic: first
+/// borders with ends, then loops. O(faces).
 ///
-/// Throws Error(kBadCurve) when the number of labels is neither that of the faces nor that of the
-/// vertices, or when no two neighbours differ.
+/// Throws Error(kBadCurve) if the number of labels is neither the number of faces nor of vertices,
+/// or if no two neighbours have different labels.
 std::vector<LabelBorder> label_borders(const Surface& surface,
                                        std::span<const std::int64_t> labels);
 
-/// The number of points away from the mesh's boundary where borders end.
+/// The number of points where borders end, without points on the boundary of the mesh.
 std::size_t count_junctions(const Surface& surface, std::span<const LabelBorder> borders);
 
 }  // namespace talweg

@@ -19,12 +19,13 @@
 namespace talweg {
 namespace {
 
-constexpr int kRungs = 4;  // levels of smoothing; above them the border stays as drawn
+constexpr int kRungs = 4;  // levels of smoothing; a border on rung kRungs stays as drawn
 constexpr double kSteeper = 4, kNarrower = 0.5;
-// How often a border beyond D gets less slack there, and from which time on it is pinned there.
+// The number of times that a border beyond D gets less slack, and the time after which its farthest
+// points are pinned, too.
 constexpr int kTightenings = 10, kPinnedFrom = 4;
-constexpr int kSteps = 6;    // of the nodes towards balance, at most
-constexpr int kRetries = 3;  // with nodes held whose borders failed the checks
+constexpr int kSteps = 6;    // at most, of the nodes towards balance
+constexpr int kRetries = 3;  // after holding the nodes of borders that failed a check
 
 class Network {
  public:
@@ -48,7 +49,7 @@ class Network {
     while (!todo.empty()) {
       if (!smooth(todo)) return cancelled();
       note_held(collapsed(todo));
-      todo = tighten(too_far(todo));  // before the mesh is cut in vain
+      todo = tighten(too_far(todo));  // before cutting the mesh, which takes longer
       if (!todo.empty()) continue;
       cut();
       note_held(regions_.wrong);
@@ -60,7 +61,7 @@ class Network {
   }
 
  private:
-  /// A state that passed all checks.
+  /// Borders that passed all checks, with the mesh cut along them.
   struct State {
     std::vector<SmoothedBorder> result;
     CutMesh cut;
@@ -75,7 +76,7 @@ class Network {
     return result;
   }
 
-  /// Smooths these borders, as one set per rung. False when cancelled.
+  /// Smooths the given borders, one set per rung. False when cancelled.
   bool smooth(const std::vector<std::size_t>& todo) {
     std::map<int, std::vector<std::size_t>> by_rung;
     for (const std::size_t c : todo) by_rung[rung_[c]].push_back(c);
@@ -89,7 +90,7 @@ class Network {
     return true;
   }
 
-  /// The drawing of a border, with its ends where the nodes are now.
+  /// The drawing of a border, led to the current places of its nodes.
   NetworkNodes::Redrawing drawing(std::size_t c) {
     if (nodes_ && nodes_->is_moved(c)) return nodes_->redrawn(c);
     NetworkNodes::Redrawing same{drawn_[c], {}};
@@ -102,7 +103,7 @@ class Network {
     std::vector<NetworkNodes::Redrawing> drawings;
     std::vector<SurfaceCurve> curves;
     CurveOptions curve_options;
-    curve_options.join_ends = false;  // at every junction there are more borders
+    curve_options.join_ends = false;  // junctions with other borders keep their ends apart
     const auto pin = [&](const SurfacePoint& p) { curve_options.pins.push_back(p); };
     for (const std::size_t c : members) {
       const LabelBorder& border = drawings.emplace_back(drawing(c)).border;
@@ -117,7 +118,9 @@ class Network {
     give_slack(members);
     SmoothingOptions options;
     if (options_.max_deviation) options.deviation = DeviationMeasure::kAlongSurface;
-    if (nodes_) options.deviation = DeviationMeasure::kNone;  // measured later, to the drawing
+    if (nodes_)
+      options.deviation =
+          DeviationMeasure::kNone;  // measure_moved() compares with the original drawing
     options.tau = options_.tau * std::pow(kSteeper, rung);
     if (rung > 0 && options.tau == 0) options.tau = std::pow(kSteeper, rung - 1);
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -145,7 +148,7 @@ class Network {
     spent_.total -= of_set.open;
   }
 
-  /// Whatever is not smoothing checks its results.
+  /// The time outside of smoothing counts as measuring, because it checks the results.
   [[nodiscard]] StageTimes times() const {
     StageTimes all = spent_;
     const double elapsed = std::max(watch_.ms(), spent_.total);
@@ -159,8 +162,8 @@ class Network {
     return curve_length(mesh_->surface(), drawn) / static_cast<double>(drawn.points.size());
   }
 
-  /// Gives a slack to the borders that have none yet. Short ones are as jagged as long ones, so
-  /// they get at least a third of their mean segment.
+  /// Gives a slack to borders without one: at least a third of the border's mean segment, because
+  /// short borders are as jagged as long ones.
   void give_slack(const std::vector<std::size_t>& members) {
     const std::vector<double> own = smoother_.slack();
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -216,8 +219,9 @@ class Network {
     return far;
   }
 
-  /// Borders beyond D get less slack where they are too far; other borders go to the next rung.
-  /// Returns the borders to smooth.
+  /// Gives borders beyond D less slack near the stretches that are too far; collapsed borders and
+  /// borders that have been tightened kTightenings times go to the next rung. Returns the borders
+  /// to smooth.
   std::vector<std::size_t> tighten(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved, rest;
     for (const std::size_t c : borders) {
@@ -230,7 +234,7 @@ class Network {
       std::vector<double> slack = slack_[c];
       const std::vector<SurfacePoint> farthest = tightening_->tighten(
           drawn_[c].curve, result_[c].border.curve, *options_.max_deviation, slack, progress_);
-      const double least = mean_segment(c) / 6;  // with less there is no room to be fair in
+      const double least = mean_segment(c) / 6;  // a smaller slack leaves no room for fairing
       for (std::size_t i = 0; i < slack.size(); ++i) {
         slack_[c][i] = std::max(slack[i], std::min(slack_[c][i], least));
       }
@@ -245,8 +249,8 @@ class Network {
     return moved;
   }
 
-  /// Moves these borders to the next rung, or to the last one if the budget is used up; returns
-  /// those that have one.
+  /// Moves borders to the next rung, or to rung kRungs if the budget is used up. Returns the
+  /// borders that moved.
   std::vector<std::size_t> climb(const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> moved;
     for (const std::size_t c : borders) {
@@ -258,8 +262,8 @@ class Network {
     return moved;
   }
 
-  /// Moves wrong borders to the next rung. Where all of them are as drawn already, others have come
-  /// to lie around them wrongly: those beside the same parts.
+  /// Moves wrong borders to the next rung. If all of them are as drawn already, other borders
+  /// beside the same parts must be wrong, and these borders move.
   std::vector<std::size_t> climb_for(const std::vector<std::size_t>& wrong) {
     std::vector<std::size_t> moved = climb(wrong);
     if (!moved.empty() || wrong.empty()) return moved;
@@ -281,7 +285,7 @@ class Network {
     return curves;
   }
 
-  /// Cuts the mesh along the borders and follows the regions. Throws Cancelled.
+  /// Cuts the mesh along the borders and assigns the faces to the regions. Throws Cancelled.
   void cut() {
     std::vector<LabelBorder> borders;
     for (const SmoothedBorder& border : result_) borders.push_back(border.border);
@@ -291,8 +295,8 @@ class Network {
     regions_ = regions_of_cut(cut_, parts_, borders);
   }
 
-  /// Moves the nodes to where their borders balance and smooths the borders anew. The nodes of a
-  /// border that then fails a check go home. False when cancelled.
+  /// Moves the nodes towards balance of their borders and smooths these borders again. The nodes of
+  /// a border that then fails a check return to their drawn places. False when cancelled.
   bool balance() {
     const State settled{result_, cut_, regions_};
     std::vector<double> tolerance;
@@ -308,7 +312,7 @@ class Network {
     Walk outcome = Walk::kUnsound;
     try {
       outcome = walk(settled);
-    } catch (const Error& error) {  // a border whose nodes came too near each other
+    } catch (const Error& error) {  // the nodes of a border are too near each other
       if (error.code() != ErrorCode::kBadCurve) throw;
     }
     if (outcome == Walk::kUnsound) {
@@ -341,7 +345,8 @@ class Network {
     return Walk::kUnsound;
   }
 
-  /// Borders without moved nodes get their settled result back; the others are smoothed.
+  /// Restores the settled result of borders without moved nodes, and smooths the others. False when
+  /// cancelled.
   bool smooth_from(const State& settled, const std::vector<std::size_t>& borders) {
     std::vector<std::size_t> todo;
     for (const std::size_t c : borders) {
@@ -354,7 +359,8 @@ class Network {
     return smooth(todo);
   }
 
-  /// Updates the reports on borders whose nodes have moved; returns those that fail a check.
+  /// Updates the reports of borders with moved nodes. Returns the borders that have collapsed or
+  /// lie beyond D.
   std::vector<std::size_t> measure_moved() {
     if (!meter_) meter_.emplace(mesh_->mesh());
     std::vector<std::size_t> moved;
@@ -376,8 +382,7 @@ class Network {
     return too_far(moved);
   }
 
-  /// Marks the smaller of the two parts beside each wrong border, which is the one that would be
-  /// lost.
+  /// Marks the smaller of the two parts beside each wrong border as held: it would have been lost.
   void note_held(const std::vector<std::size_t>& wrong) {
     held_.resize(parts_.parts.size(), false);
     for (const std::size_t c : wrong) {
@@ -440,20 +445,20 @@ class Network {
   Progress progress_;
   std::vector<LabelBorder> drawn_;
   RegionParts parts_;
-  // Of each border:
+  // Per border:
   std::vector<int> rung_, tightenings_;
-  std::vector<std::vector<SurfacePoint>> pins_;  // of drawings, where less slack did not help
+  std::vector<std::vector<SurfacePoint>> pins_;  // farthest points of the drawing
   std::vector<std::vector<double>> slack_;       // per point of the drawing
   std::vector<SmoothedBorder> result_;
   CurveSmoother smoother_;
-  std::optional<LocalTightening> tightening_;  // made once a border lies beyond D
-  std::optional<NetworkNodes> nodes_;    // set while nodes may be away from where they were drawn
-  std::optional<DeviationMeter> meter_;  // used with nodes_
-  double imbalance_ = 0;                 // with the nodes as drawn
+  std::optional<LocalTightening> tightening_;  // made when the first border lies beyond D
+  std::optional<NetworkNodes> nodes_;          // set while nodes may move
+  std::optional<DeviationMeter> meter_;        // used with nodes_
+  double imbalance_ = 0;                       // with the nodes at their drawn places
   CutMesh cut_;
   CutRegions regions_;
   std::vector<bool> held_;  // per part
-  StageTimes spent_;        // by smoothing; the total without opening the mesh
+  StageTimes spent_;        // times of smoothing; the total excludes opening the mesh
 };
 
 }  // namespace

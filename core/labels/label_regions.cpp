@@ -24,7 +24,8 @@ double area_of(const SurfaceMesh& mesh, FaceId face) {
   return (mesh.point(c[1]) - a).cross(mesh.point(c[2]) - a).norm() / 2;
 }
 
-/// Numbers the sets in the order of their first elements, but for those that are `left_out`.
+/// Numbers the sets in the order of their first elements; elements that are `left_out` have no
+/// part.
 template <class LeftOut>
 void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, const LeftOut& left_out,
                   RegionParts& result) {
@@ -43,7 +44,8 @@ void number_parts(UnionFind& sets, std::span<const std::int64_t> labels, const L
   }
 }
 
-/// A vertex's share of the area of a face whose labels are divided at midpoints and centroid.
+/// The share of a corner in the area of a face that is divided at the midpoints of its sides and
+/// its centroid.
 double share(const std::array<std::uint32_t, 3>& parts, std::size_t corner) {
   const std::uint32_t own = parts[corner];
   const std::uint32_t p = parts[(corner + 1) % 3], q = parts[(corner + 2) % 3];
@@ -115,14 +117,14 @@ RegionParts parts_by_vertex(const SurfaceMesh& mesh, std::span<const std::int64_
   return result;
 }
 
-/// A face at an edge, or a link of a chain along it.
+/// A face at an edge, or a link of a chain along the edge.
 struct AtEdge {
-  std::uint32_t high;         // the end with the larger number
-  std::uint32_t face, chain;  // kNoIndex for the one that it is not
-  bool rising;                // whether it runs from the smaller to the larger number
+  std::uint32_t high;         // the edge's end with the larger number
+  std::uint32_t face, chain;  // one of them is kNoIndex
+  bool rising;                // whether its direction is from the smaller end to the larger
 };
 
-/// The edges of a mesh by their smaller end, with the links of chains among them.
+/// The faces and chain links at each edge of a cut mesh, sorted by the smaller end of the edge.
 class EdgeLists {
  public:
   explicit EdgeLists(const CutMesh& cut) : first_(cut.lists.points.size() + 1, 0) {
@@ -167,9 +169,10 @@ class EdgeLists {
   std::vector<AtEdge> entries_;
 };
 
-/// A link of a chain seen from one side.
+/// One side of a link of a chain.
 struct LinkSide {
-  std::uint32_t chain, part, face;  // the part on this side as drawn, the face there now
+  std::uint32_t chain, part,
+      face;  // the part on this side in the drawing, the face here in the cut mesh
   double length;
 };
 
@@ -199,7 +202,8 @@ class Follower {
   }
 
  private:
-  /// Joins faces to heaps, and collects the sides of all chains.
+  /// Joins faces across edges without a chain to components (heaps_), and collects the sides of all
+  /// chains.
   void gather() {
     EdgeLists edges(cut_);
     edges.each_edge([&](std::uint32_t low, std::span<const AtEdge> here) {
@@ -217,7 +221,7 @@ class Follower {
       for (const AtEdge& at : here) {
         if (at.face != kNoIndex) continue;
         const auto& [left, right] = drawn_.beside[at.chain];
-        if (chains > 1) wrong_.push_back(at.chain);  // two chains lie on each other
+        if (chains > 1) wrong_.push_back(at.chain);  // several chains share the edge
         const std::uint32_t on_left = at.rising ? rising : falling;
         const std::uint32_t on_right = at.rising ? falling : rising;
         if (on_left != kNoIndex) sides_.push_back({at.chain, left, on_left, length});
@@ -227,7 +231,7 @@ class Follower {
     for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
   }
 
-  /// Each heap gets the part that is named along the greatest length around it.
+  /// Assigns each component to the part that borders the greatest length of its boundary.
   void name_heaps() {
     owner_.assign(cut_.lists.triangles.size(), kNoIndex);
     std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
@@ -253,13 +257,13 @@ class Follower {
         main_[sides_[i].part] = sides_[i].face;
       }
     }
-    for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // heaps without a border
+    for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // components without a border
       std::uint32_t& owner = owner_[heaps_.find(f)];
       if (owner == kNoIndex) owner = part_before(f);
     }
   }
 
-  /// The part that a face was in; only for faces away from all borders.
+  /// The part of a face in the drawing, for faces of components without a border.
   [[nodiscard]] std::uint32_t part_before(std::uint32_t face) const {
     if (drawn_.by_face) return drawn_.of_element[cut_.face_from[face]];
     for (const std::uint32_t v : cut_.lists.triangles[face]) {
@@ -274,7 +278,7 @@ class Follower {
         wrong_.push_back(side.chain);
       }
     }
-    // A part without any heap has all its borders on the mesh's boundary.
+    // A part without a component was lost: no chain has a face on its side.
     for (std::size_t c = 0; c < borders_.size(); ++c) {
       for (const std::uint32_t part : drawn_.beside[c]) {
         if (main_[part] == kNoIndex) wrong_.push_back(c);
@@ -289,7 +293,7 @@ class Follower {
     return !fixed.empty() && cut_.vertex_from[vertices[i]] == fixed.front();
   }
 
-  /// Finds chains that meet other than at their ends.
+  /// Records chains that meet at a vertex which is not an end of all of them.
   void check_meetings() {
     struct Visit {
       std::uint32_t vertex;
@@ -319,9 +323,9 @@ class Follower {
   const RegionParts& drawn_;
   std::span<const LabelBorder> borders_;
   UnionFind heaps_;
-  std::vector<LinkSide> sides_;       // `face` represents its heap
-  std::vector<std::uint32_t> owner_;  // the part, for each face that represents a heap
-  std::vector<std::uint32_t> main_;   // the heap, per part
+  std::vector<LinkSide> sides_;       // `face` represents its component
+  std::vector<std::uint32_t> owner_;  // the part, per face that represents a component
+  std::vector<std::uint32_t> main_;   // per part, the component with the longest border
   std::vector<std::size_t> wrong_;
 };
 

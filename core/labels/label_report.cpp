@@ -9,7 +9,7 @@
 namespace talweg {
 namespace {
 
-/// An array that is empty only has a key of its own.
+/// Adds an empty array, which has no entries of elements.
 void add_if_empty(std::vector<ReportEntry>& entries, const char* key, std::size_t count) {
   if (count == 0) entries.push_back({key, std::vector<double>{}});
 }

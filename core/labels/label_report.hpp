@@ -1,4 +1,4 @@
-// A label report tells what smoothing did to the borders and regions of a segmentation.
+// A label report describes the borders and regions of a smoothed segmentation.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,22 @@
 
 namespace talweg {
 
-using LabelNames = std::map<std::int64_t, std::string>;  ///< of labels that have one
+using LabelNames = std::map<std::int64_t, std::string>;  ///< names of labels, where known
 
-/// A sentence for each region that smoothing would have lost or torn apart. All functions here are
-/// O(regions + borders), log for names.
+/// A sentence for each region whose borders are held near the drawing. All functions here are
+/// O((regions + borders) log names).
 std::vector<std::string> warnings_of(const LabelNetwork& network, const LabelNames& names = {});
 
-/// The totals as of any smoothing, with these warnings; what was done to the network, and every
-/// region and border ("regions.0.label", "borders.0.left").
+/// The totals of smoothing, with these warnings; statistics of the network; and every region and
+/// border ("regions.0.label", "borders.0.left").
 std::vector<ReportEntry> entries_of(const LabelNetwork& network,
                                     const std::vector<std::string>& warnings,
                                     const LabelNames& names = {});
-/// The report on each border.
+/// The entries of the report of each border.
 std::vector<std::vector<ReportEntry>> curve_entries_of(const LabelNetwork& network);
 
-/// Labels of faces or vertices as an attribute named "label", of whole numbers if they fit.
+/// Labels of faces or vertices as an attribute named "label", of 32-bit integers if all fit, else
+/// of doubles.
 AttributeColumn label_column(std::span<const std::int64_t> labels);
 
 }  // namespace talweg

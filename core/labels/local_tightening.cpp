@@ -7,11 +7,12 @@
 namespace talweg {
 namespace {
 
-constexpr double kHalved = 4, kAllOfIt = 8;  // in bounds: end of halving, end of any narrowing
-constexpr double kAlmost = 0.97;             // of the bound, because between points it may be more
+constexpr double kHalved = 4,
+                 kAllOfIt = 8;    // distances along the drawing, in multiples of the bound
+constexpr double kAlmost = 0.97;  // times the bound: between points the deviation may be larger
 
-/// The distance along the drawing to the nearest of some places (ascending). `length` is that of a
-/// loop, infinite for open curves.
+/// The distance along the drawing from `arc` to the nearest of some places (ascending). `length` is
+/// the length of a closed curve, infinite for open curves.
 double nearest_of(const std::vector<double>& places, double arc, double length) {
   const auto behind = std::lower_bound(places.begin(), places.end(), arc);
   const double after = behind != places.end() ? *behind - arc : places.front() + length - arc;
@@ -20,11 +21,11 @@ double nearest_of(const std::vector<double>& places, double arc, double length) 
   return std::min(after, before);
 }
 
-/// The farthest point of each stretch of points beyond the bound.
+/// The farthest point of each stretch of consecutive points beyond the bound.
 std::vector<SurfacePoint> farthest_points(const SurfaceCurve& drawn,
                                           const std::vector<double>& apart, double bound) {
   std::vector<SurfacePoint> farthest;
-  double most = 0;  // of the current stretch; 0 outside
+  double most = 0;  // of the current stretch; 0 outside a stretch
   for (std::size_t i = 0; i < apart.size(); ++i) {
     if (!(apart[i] > bound)) {
       most = 0;

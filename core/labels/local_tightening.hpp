@@ -1,5 +1,5 @@
-// Local tightening gives a drawing less slack where its smoothed curve lies too far away, and only
-// there.
+// Local tightening reduces the slack of a drawing near the stretches where the smoothed curve is
+// too far.
 #pragma once
 
 #include <span>
@@ -12,20 +12,19 @@
 
 namespace talweg {
 
-/// Compares results with their drawings, stretch by stretch. Holds the working memory, O(mesh); the
-/// surface must outlive the object. One thread at a time.
+/// Holds the working memory of tighten(), O(mesh). The surface must outlive the object. One thread
+/// at a time.
 class LocalTightening {
  public:
   explicit LocalTightening(const Surface& surface) : distance_(surface) {}
 
-  /// Halves the slack (per point of the drawing, mesh units) along every stretch of the drawing
-  /// that lies farther than `bound` (mesh units, > 0) from the result, or beside which a part of
-  /// the result lies farther from the drawing, and for four times the bound on either side. From
-  /// there to twice that distance the factor rises to 1. If nothing is beyond the bound, the
-  /// farthest stretch is tightened.
-  /// Returns, for each stretch of points beyond the bound, the one that is farthest from the
-  /// result, to be pinned where less slack does not help. Distances are exact, along the surface.
-  /// Throws Cancelled when `progress` (stage "measure") says so; the slack is then unchanged.
+  /// Reduces the slack (per point of the drawing, mesh units) near the stretches where drawing and
+  /// result are farther apart than `bound` (mesh units, > 0), in either direction. The slack is
+  /// halved up to four times the bound along the drawing from such a stretch; from four to eight
+  /// times the bound the factor rises to 1. If no stretch is beyond the bound, the farthest stretch
+  /// is used. Returns the farthest point of each stretch of drawn points beyond the bound; the
+  /// caller may pin these points. Distances are exact, along the surface. Throws Cancelled; the
+  /// slack is then unchanged.
   std::vector<SurfacePoint> tighten(const SurfaceCurve& drawn, const SurfaceCurve& result,
                                     double bound, std::span<double> slack,
                                     const Progress& progress = {});

@@ -12,12 +12,12 @@
 namespace talweg {
 namespace {
 
-constexpr double kOfGap = 0.25;  // how far nodes may move, as part of the distance to the next one
-constexpr double kNear = 0.05;   // of the reach; nearer points give no direction
-constexpr double kBent = 0.15;   // radians
-constexpr double kBalanced = 0.01;  // of a unit tangent, per border: smaller sums count as balanced
-constexpr double kStandsStill = 0.01;  // of the reach; smaller moves count as none
-constexpr double kSurroundings = 1.5;  // radius around a node's home, in lengths of its move
+constexpr double kOfGap = 0.25;     // largest move, times the distance to the nearest node
+constexpr double kNear = 0.05;      // times the reach: nearer points give no direction
+constexpr double kBent = 0.15;      // sine of the angle where a straight stretch ends
+constexpr double kBalanced = 0.01;  // times the number of borders: smaller sums count as balanced
+constexpr double kStandsStill = 0.01;  // times the reach: smaller moves are not made
+constexpr double kSurroundings = 1.5;  // radius around a node's drawn place, times its move
 
 /// The two halfedges that leave a vertex along the boundary.
 std::array<HalfedgeId, 2> along_boundary_from(const Surface& surface, VertexId v) {
@@ -59,7 +59,8 @@ NetworkNodes::NetworkNodes(const SurfaceMesh& mesh, std::span<const LabelBorder>
 }
 
 void NetworkNodes::collect() {
-  // Equal ends of borders share an element: they lie at vertices, midpoints or centroids.
+  // Ends lie at vertices, midpoints or centroids, so equal ends are on the same element of the
+  // mesh.
   std::map<SurfaceElement, std::size_t> numbers;
   const auto add = [&](std::size_t border, bool front, const SurfacePoint& p) {
     const auto [found, is_new] = numbers.emplace(element_of(p), nodes_.size());
@@ -76,7 +77,7 @@ void NetworkNodes::collect() {
   }
 }
 
-/// Limits moves: two moving nodes must not meet, and a loop at a node must keep something inside.
+/// Limits the reach of nodes so that two moving nodes cannot meet.
 void NetworkNodes::limit_reach() {
   std::vector<Point> at;
   for (const Node& node : nodes_) at.push_back(mesh_->position(node.home));
@@ -139,7 +140,8 @@ NetworkNodes::Pull NetworkNodes::pull_at(const Node& node,
   return pull;
 }
 
-/// The component of a pull along the boundary; at a vertex, along one of its two boundary edges.
+/// The component of a pull along the boundary; at a vertex, along the boundary edge with the larger
+/// component.
 Point NetworkNodes::along_boundary(const SurfacePoint& at, const Point& pull) const {
   const Surface& surface = mesh_->surface();
   const auto part = [&](HalfedgeId h) -> Point {
@@ -158,7 +160,7 @@ Point NetworkNodes::along_boundary(const SurfacePoint& at, const Point& pull) co
   return best;
 }
 
-/// The point reached by sliding along the boundary, in the step's direction, by the step's length.
+/// The point at the length of the step along the boundary, in the direction of the step.
 SurfacePoint NetworkNodes::slid(const SurfacePoint& at, const Point& step) const {
   const Surface& surface = mesh_->surface();
   double left = step.norm();
@@ -222,7 +224,7 @@ std::vector<std::size_t> NetworkNodes::step(std::span<const SurfaceCurve> result
     const Pull pull = pull_at(node, results);
     if (pull.sum.norm() < kBalanced * static_cast<double>(node.ends.size())) continue;
     double factor = pull.step;
-    if (node.step) {  // Barzilai and Borwein's step, near that for straight borders
+    if (node.step) {  // Barzilai and Borwein's step, within a factor of 4 of pull.step
       const double fall = node.step->dot(*node.pull - pull.sum);
       if (fall > 0) factor = std::clamp(node.step->squaredNorm() / fall, factor / 4, factor * 4);
     }
@@ -284,7 +286,7 @@ NetworkNodes::Redrawing NetworkNodes::redrawn(std::size_t border) {
   std::vector<SurfacePoint> points = drawn.curve.points;
   if (drawn.curve.closed) points.push_back(points.front());
   const std::size_t n = points.size();
-  // The part that stays: [first, last).
+  // The points [first, last) of the drawing stay.
   std::size_t first = 0, last = n;
   const auto outside = [&](const Node& node, std::size_t i) {
     const Point home = mesh_->position(node.home);

@@ -24,7 +24,7 @@ struct CornerShare {
   double angle;
 };
 
-/// The shares of labels around each vertex that has several.
+/// The labels around each vertex with several labels, with their angles.
 std::vector<CornerShare> shares_on_borders(const LabelNetwork& network,
                                            const std::vector<bool>& mixed) {
   std::vector<CornerShare> shares;
@@ -61,7 +61,7 @@ std::vector<std::int64_t> labels_of_vertices(const LabelNetwork& network, const 
   std::vector<std::int64_t> around(n, 0);
   for (std::size_t f = 0; f < network.cut.lists.triangles.size(); ++f) {
     for (const std::uint32_t v : network.cut.lists.triangles[f]) {
-      if (v >= n) continue;  // a vertex of the cut
+      if (v >= n) continue;  // a new vertex of the cut mesh
       const std::int64_t label = network.cut_labels[f];
       if (seen[v] && around[v] != label) mixed[v] = true;
       seen[v] = true;

@@ -11,8 +11,8 @@
 namespace talweg {
 namespace {
 
-/// Bounds for a stretch of this length with distances of at most a and b at its ends, since a
-/// distance changes no faster than its point moves.
+/// Bounds of the maximum and the mean distance over a stretch with distances of at most a and b at
+/// its ends. A distance changes at most as fast as its point moves (slope 1).
 struct Tent {
   double most = 0, mean = 0;
 
@@ -25,7 +25,7 @@ struct Tent {
   }
 };
 
-/// Curves of one point have no segments; they count as one without length.
+/// A segment of length 0 for each curve of one point, which has no other segments.
 std::vector<CurveSegment> points_of(const Surface& surface, std::span<const SurfaceCurve> curves) {
   std::vector<CurveSegment> points;
   for (const SurfaceCurve& curve : curves) {
@@ -61,7 +61,7 @@ class Bounds {
     integral_ += segment.length > 0 ? segment.length * mean : 0;
   }
 
-  /// With the largest exact distance.
+  /// The bounds, given the largest exact distance found.
   [[nodiscard]] OneSidedSurfaceDeviation result(double largest) const {
     OneSidedSurfaceDeviation result{std::max(most_, largest),
                                     length_ > 0 ? integral_ / length_ : most_, *at_};

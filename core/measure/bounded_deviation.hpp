@@ -1,4 +1,4 @@
-// A bounded deviation is what holds for a deviation whose measurement had no time to end.
+// A bounded deviation has upper and lower bounds, because the budget ended the exact measurement.
 #pragma once
 
 #include <cmath>
@@ -11,16 +11,16 @@
 
 namespace talweg {
 
-/// What a measurement has found out about one segment; mesh units.
+/// Results of a measurement for one segment; mesh units.
 struct KnownSegment {
-  double first = HUGE_VAL, middle = HUGE_VAL, last = HUGE_VAL;  ///< exact where they are finite
-  double most = HUGE_VAL;                                       ///< no distance on it is larger
+  double first = HUGE_VAL, middle = HUGE_VAL, last = HUGE_VAL;  ///< exact distances, or infinite
+  double most = HUGE_VAL;                                       ///< upper bound over the segment
 };
 
-/// The bounds that follow from what is known of the first segments and, for all of them, from
-/// CoarseDistance and the distance through space. `segments` are those of `from`, `largest` the
-/// largest exact distance found. More known segments and samples never make a bound worse.
-/// O(n log n) for n points, and what CoarseDistance costs.
+/// Bounds of the deviation. Upper bounds come from `known`, the results for the first segments, and
+/// from CoarseDistance; lower bounds from exact distances and distances through space. `segments`
+/// are the segments of `from`, `largest` is the largest exact distance found. More results never
+/// make a bound worse. O(n log n) for n points, plus the cost of CoarseDistance.
 OneSidedSurfaceDeviation bounded_deviation(const SurfaceMesh& mesh,
                                            std::span<const SurfaceCurve> from,
                                            std::span<const CurveSegment> segments,

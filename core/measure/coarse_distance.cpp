@@ -18,7 +18,7 @@ double to_piece(PlanePoint x, PlanePoint p, PlanePoint q) {
   return apart(x, {p.x + clamped * dx, p.y + clamped * dy});
 }
 
-/// The corners of a face laid out in the plane.
+/// The corners of a face in the plane of its frame.
 std::array<PlanePoint, 3> corners_of(const SideFrame& frame) {
   return {PlanePoint{0, 0}, PlanePoint{frame.length, 0}, frame.apex};
 }
@@ -55,7 +55,7 @@ double CoarseDistance::at_vertex(VertexId vertex) {
   while (!queue_.empty() && queue_.top().first < known) {
     const auto [way, at] = queue_.top();
     queue_.pop();
-    if (way > ways_[at.index()]) continue;  // a longer way than the one that is known by now
+    if (way > ways_[at.index()]) continue;  // a shorter way is known
     const HalfedgeId first = surface_->halfedge(at);
     for (HalfedgeId h = first; h.valid();) {
       reach(surface_->head(h), way + surface_->length(edge_of(h)));
@@ -71,7 +71,8 @@ CoarseDistance::OnSegment CoarseDistance::on(const CurveSegment& segment) {
   const SideFrame frame = side_frame(*surface_, segment.face, 0);
   const PlanePoint p = frame.at(segment.from, 0), q = frame.at(segment.to, 0);
   OnSegment bound{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  // A way by one place is convex along the segment, so its ends bound it between them.
+  // The length of the way through a fixed place is convex along the segment, so its values at the
+  // ends bound it.
   const auto add = [&](double at_first, double at_last) {
     bound.first = std::min(bound.first, at_first);
     bound.last = std::min(bound.last, at_last);

@@ -1,4 +1,4 @@
-// The coarse distance to curves is that along edges: never less than the distance, and cheap.
+// The coarse distance to curves is measured along edges: a cheap upper bound of the distance.
 #pragma once
 
 #include <functional>
@@ -14,24 +14,24 @@
 
 namespace talweg {
 
-/// Upper bounds for distances along the surface: the shortest ways that follow edges, but for their
-/// beginning and end, which cross one face. Spreads from the curves by Dijkstra's algorithm, as far
-/// as it is asked: O(m log m) for m edges nearer than the answers, and memory for all vertices. The
-/// surface must outlive the object.
+/// Upper bounds of distances along the surface: lengths of shortest ways that cross one face at the
+/// beginning and at the end, and follow edges between. Dijkstra's algorithm spreads from the curves
+/// as far as queries need: O(m log m) for m edges nearer than the results, and memory for all
+/// vertices. The surface must outlive the object.
 class CoarseDistance {
  public:
   /// Throws Error(kBadCurve) as pieces_of() does.
   CoarseDistance(const Surface& surface, std::span<const SurfaceCurve> curves);
 
-  /// Bounds for a segment; infinite where no curve can be reached.
+  /// Bounds for a segment; infinite if no curve can be reached.
   struct OnSegment {
-    double first = 0, last = 0;  ///< of the distances at its ends, mesh units
-    double most = 0;             ///< of all distances on it
+    double first = 0, last = 0;  ///< bounds of the distances at the ends, mesh units
+    double most = 0;             ///< bound of all distances on the segment
   };
   [[nodiscard]] OnSegment on(const CurveSegment& segment);
 
  private:
-  using Way = std::pair<double, VertexId>;  // the way's length, to this vertex
+  using Way = std::pair<double, VertexId>;  // the length of a way to the vertex
 
   void reach(VertexId vertex, double way);
   void start_at(const PolylinePiece& piece);
@@ -39,7 +39,7 @@ class CoarseDistance {
 
   const Surface* surface_;
   PolylinePieces pieces_;
-  std::vector<double> ways_;  // per vertex, the shortest so far
+  std::vector<double> ways_;  // per vertex, the shortest length so far
   std::priority_queue<Way, std::vector<Way>, std::greater<>> queue_;
 };
 

@@ -66,8 +66,7 @@ MeasuredCurves measured_all(const SurfaceMesh& mesh, std::span<const SurfaceCurv
   return all;
 }
 
-/// Computes the deviation of all curves from those of the pairs: maxima, and means weighted by
-/// length.
+/// Combines the deviations of pairs: maxima, and means weighted by length.
 MeasuredDistance all_of(const CurveMeasurement& m) {
   MeasuredDistance all = m.deviations.front();
   double to = 0, from = 0;

@@ -1,4 +1,5 @@
-// A curve measurement is what curves on a mesh measure, and how far they lie from others.
+// A curve measurement contains the measures of curves on a mesh, and their deviation from other
+// curves.
 #pragma once
 
 #include <cstddef>
@@ -17,23 +18,24 @@
 namespace talweg {
 
 struct CurveMeasurementOptions {
-  /// Mesh units: the windows in which turning is measured; default: edge_length_near() each curve.
+  /// Mesh units, > 0: the edge length h of CurveMeasures; default: edge_length_near() of each
+  /// curve.
   std::optional<double> edge;
 
   void validate() const;  ///< throws Error(kBadUsage)
 };
 
-/// The measures of one curve, or the totals of several: counts, lengths, curvatures and
-/// bendings are sums, turns are maxima, the edge length is the mean, and contacts between curves
+/// The measures of one curve, or the totals of several. In totals, counts, lengths, curvatures and
+/// bendings are sums, turnings are maxima, the edge length is the mean, and contacts between curves
 /// are included.
 struct MeasuredCurve {
   std::size_t points = 0;
   bool closed = false;
   CurveMeasures measures;
-  double edge = 0;               ///< mesh units: what its windows are compared with
-  Point max_at = Point::Zero();  ///< the place of the largest turn
-  std::vector<Point> contacts;   ///< the beginnings of self-contacts
-  std::size_t stretches = 0;     ///< number of self-contacts that are more than a point
+  double edge = 0;               ///< mesh units: h of CurveMeasures
+  Point max_at = Point::Zero();  ///< the position of the largest turn
+  std::vector<Point> contacts;   ///< the positions where self-contacts begin
+  std::size_t stretches = 0;     ///< number of self-contacts longer than a point
 };
 
 struct MeasuredCurves {
@@ -41,36 +43,36 @@ struct MeasuredCurves {
   MeasuredCurve total;
 };
 
-/// How far curves lie from others, along the surface, mesh units; infinite between parts that are
-/// not connected.
+/// The deviation between curves along the surface, mesh units; infinite between components of the
+/// mesh.
 struct MeasuredDistance {
-  double to_max = 0, to_mean = 0;      ///< of the curve's points to the other
-  double from_max = 0, from_mean = 0;  ///< of the other's points to the curve
-  Point at = Point::Zero();            ///< the point with the larger maximum
+  double to_max = 0, to_mean = 0;      ///< distances of the curve's points to the other curve
+  double from_max = 0, from_mean = 0;  ///< distances of the other's points to the curve
+  Point at = Point::Zero();            ///< the point at the larger maximum
 };
 
 struct CurveMeasurement {
   std::size_t faces = 0, vertices = 0;  ///< of the mesh
   MeasuredCurves curves;
   std::optional<MeasuredCurves> others;
-  std::vector<MeasuredDistance> deviations;  ///< of pairs; empty if the counts differ
+  std::vector<MeasuredDistance> deviations;  ///< of pairs of curves; empty if the counts differ
   MeasuredDistance deviation;                ///< of all curves
   std::vector<std::string> warnings;
 };
 
-/// Measures the curves, and their deviation from the others unless there are none: as many are
-/// compared one by one in their order, more or fewer all together. Throws Error(kBadUsage) for bad
-/// options, Error(kBadCurve) where there is no curve, one has no points, or two neighbours share no
-/// face; Cancelled when `progress` (stage "measure") says so. O(n log n) for n points, and what
-/// self_contacts() and DeviationMeter cost, for each curve and for all together.
+/// Measures curves, and their deviation from other curves if there are any. If both lists have
+/// equal sizes, curves are compared in pairs, else as two sets. Throws Error(kBadUsage) for bad
+/// options; Error(kBadCurve) if there is no curve, a curve has no points, or two consecutive points
+/// share no face; Cancelled (stage "measure"). O(n log n) for n points, plus the costs of
+/// self_contacts() and DeviationMeter, for each curve and for all together.
 CurveMeasurement measure_curves(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                 std::span<const SurfaceCurve> others = {},
                                 const CurveMeasurementOptions& options = {},
                                 const Progress& progress = {});
 
-/// The report: what all curves measure together, and those they are compared with.
+/// The report's totals: of all curves, and of the curves that they are compared with.
 std::vector<ReportEntry> entries_of(const CurveMeasurement& measurement);
-/// The same for each curve.
+/// The report's entries of each curve.
 std::vector<std::vector<ReportEntry>> curve_entries_of(const CurveMeasurement& measurement);
 
 }  // namespace talweg

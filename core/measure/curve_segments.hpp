@@ -1,4 +1,4 @@
-// Curve segments are the parts of a curve between two points, each in a face that contains it.
+// Curve segments are the pieces of a curve between consecutive points, each inside one face.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace talweg {
 
-/// A curve's segment in a face that contains it.
+/// A segment of a curve inside a face.
 struct CurveSegment {
   FaceId face;                   ///< a face that contains the segment
-  std::array<double, 3> from{};  ///< barycentrics of one end
-  std::array<double, 3> to{};    ///< barycentrics of the other end
+  std::array<double, 3> from{};  ///< barycentric coordinates of one end
+  std::array<double, 3> to{};    ///< barycentric coordinates of the other end
   double length = 0;             ///< mesh units
 
-  /// The point at t in [0, 1] from one end to the other.
+  /// The point at t, from 0 at `from` to 1 at `to`.
   [[nodiscard]] std::array<double, 3> at(double t) const {
     std::array<double, 3> b{};
     for (std::size_t k = 0; k < 3; ++k) b[k] = (1 - t) * from[k] + t * to[k];
@@ -31,16 +31,16 @@ struct CurveSegment {
   }
 };
 
-/// The segment between two points of a face. Throws Error(kBadCurve) where it does not contain
-/// them. O(1).
+/// The segment between two points of a face. Throws Error(kBadCurve) if the face does not contain
+/// both. O(1).
 inline CurveSegment segment_between(const Surface& surface, const SurfacePoint& p,
                                     const SurfacePoint& q, FaceId face) {
   const FaceCoordinates a = coordinates_in(surface, p, face), b = coordinates_in(surface, q, face);
   return {face, a.barycentric, b.barycentric, distance_in_face(surface, a, b)};
 }
 
-/// The segments of all curves; those without length are left out. Throws Error(kBadCurve) naming
-/// the first point that shares no face with the next. O(points · degree).
+/// The segments of all curves, without segments between equal points. Throws Error(kBadCurve) with
+/// the first point that shares no face with the next point. O(points · degree).
 inline std::vector<CurveSegment> segments_of(const Surface& surface,
                                              std::span<const SurfaceCurve> curves) {
   std::vector<CurveSegment> segments;

@@ -17,7 +17,7 @@ constexpr double kMeanTolerance = 1e-4;
 constexpr int kMostHalvings = 40;
 constexpr int kMostHalvingsOfMean = 12;
 
-/// Distances below this are rounding: a few ulp of the largest coordinate.
+/// The rounding error of distances: a few ulp of the largest coordinate.
 double rounding_of(std::span<const Segment> segments) {
   double largest = 0;
   for (const Segment& s : segments) {
@@ -26,13 +26,13 @@ double rounding_of(std::span<const Segment> segments) {
   return 8 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// A point of a curve and the nearest part of the other curve.
+/// A point of a curve and the nearest segment of the other curve.
 struct Sample {
   Point point;
   NearestSegment::Result nearest;
 };
 
-/// Takes samples of the distance to the other curve, and asks whether to go on.
+/// Takes samples of the distance to the other curve, and reports the work to `progress`.
 class Samples {
  public:
   Samples(const NearestSegment& to, const Progress& progress)
@@ -62,7 +62,7 @@ class LargestDistance {
     at_ = s.point;
   }
 
-  /// Searches between two samples for a larger distance than any seen so far.
+  /// Searches between two samples for a distance larger than all samples.
   void search(const Sample& a, const Sample& b, int halvings = 0) {
     if (halvings > kMostHalvings || bound(a, b) <= max_ * (1 + kMaxTolerance) + rounding_) return;
     const Sample middle = to_.at(a.point + (b.point - a.point) / 2);
@@ -91,8 +91,8 @@ class MeanDistance {
  public:
   MeanDistance(Samples& to, double tolerance) : to_(to), tolerance_(tolerance) {}
 
-  /// The mean distance between two points, from the distances at the ends and in the middle. Its
-  /// error is about `tolerance_`.
+  /// The mean distance between two points by adaptive Simpson's rule, given the distances at the
+  /// ends and in the middle. The error is about `tolerance_`.
   double between(const Point& a, const Point& b, double at_a, double at_middle, double at_b,
                  int halvings = 0) const {
     const Point middle = a + (b - a) / 2;

@@ -1,17 +1,17 @@
-// A deviation measure says along which ways the distance between two curves is taken.
+// A deviation measure selects the distance between two curves: along the surface or through space.
 #pragma once
 
 namespace talweg {
 
-/// Which distance between result and drawing a report has.
+/// The distance between result and drawing in a report.
 enum class DeviationMeasure {
-  /// kAlongSurface, except below tau = 1/8, where results may leave their drawings: there it is
-  /// used only if result and drawing lie within four mean edges of each other, and kEuclidean
-  /// otherwise. Where exact distances would take far longer than smoothing, the report has bounds.
+  /// kAlongSurface for tau >= 1/8. For smaller tau, results may leave their drawings: kAlongSurface
+  /// if result and drawing lie within four mean edges of each other, else kEuclidean. If exact
+  /// distances would take far longer than smoothing, the report has bounds.
   kAutomatic,
-  kAlongSurface,  ///< exact, along the surface; its cost grows with the deviation
-  kEuclidean,     ///< through space: never more than kAlongSurface, and cheaper
-  kNone,          ///< not measured: the report's deviations are infinite, null in JSON
+  kAlongSurface,  ///< exact, along the surface; the cost grows with the deviation
+  kEuclidean,     ///< through space: never longer than along the surface, and cheaper
+  kNone,          ///< not measured: deviations are infinite in the report, null in JSON
 };
 
 }  // namespace talweg

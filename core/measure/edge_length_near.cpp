@@ -13,7 +13,7 @@ void make_unique(std::vector<Id>& ids) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 }
 
-/// Visits the halfedges with their tail at v.
+/// Visits the halfedges that leave v.
 template <typename Visit>
 void for_spokes(const Surface& surface, VertexId v, const Visit& visit) {
   const HalfedgeId first = surface.halfedge(v);
@@ -61,7 +61,7 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
     near.insert(near.end(), ring.begin(), ring.end());
     std::inplace_merge(near.begin(), near.begin() + middle, near.end());
   }
-  // Only vertices of the last ring have edges that lead out.
+  // Only vertices of the last ring have edges to vertices outside.
   const auto is_in = [](const std::vector<VertexId>& all, VertexId v) {
     return std::binary_search(all.begin(), all.end(), v);
   };

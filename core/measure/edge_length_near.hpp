@@ -1,4 +1,4 @@
-// The edge length near a drawing tells how fine the mesh is there.
+// The edge length near a curve measures the resolution of the mesh there.
 #pragma once
 
 #include "talweg/intrinsic/surface/surface.hpp"
@@ -6,8 +6,9 @@
 
 namespace talweg {
 
-/// h₀: the mean length of the mesh edges within two rings of the curve (rings around the corners of
-/// the edges and faces that its points lie in), mesh units. O(points · degree²).
+/// h₀: the mean length of the mesh edges within two rings of the curve, mesh units. The rings are
+/// around the vertices of the curve, and the corners of the edges and faces with its points.
+/// O(points · degree²).
 double edge_length_near(const Surface& surface, const SurfaceCurve& curve);
 
 }  // namespace talweg

@@ -1,4 +1,5 @@
-// Face bounds tell how far a piece of a curve can be from other curves, judged within its face.
+// Face bounds are upper bounds of the distance from a piece of a curve to other curves, found
+// within the piece's face.
 #pragma once
 
 #include <algorithm>
@@ -13,23 +14,23 @@
 
 namespace talweg {
 
-/// A place on a segment and the distance there.
+/// A point of a segment, and its distance to the other curves.
 struct SegmentSample {
-  double t = 0;         ///< in [0, 1]
+  double t = 0;         ///< on the segment, in [0, 1]
   double distance = 0;  ///< mesh units
 };
 
-/// Upper bounds for the distance between two samples that are tighter than those from its slope of
-/// at most 1. Every bound is a convex function along the segment, so its values at the two samples
-/// bound it between them. By pieces: O(pieces of the other curves in the face), so that n segments
-/// and n pieces in one face cost n²; by sides: a query of the distance for each side.
+/// Upper bounds of the distance between two samples, tighter than the bound from slope 1. Every
+/// bound is a convex function along the segment, so its values at the two samples bound the
+/// distance between. by_pieces() is O(pieces of the other curves in the face), so n segments and n
+/// pieces in one face cost O(n²); less_by_sides() makes one query of the distance per side.
 class FaceBounds {
  public:
-  /// `pieces` are those of the curves that `to` is set to.
+  /// `pieces` are the pieces of the curves that `to` is set to.
   FaceBounds(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces)
       : surface_(&surface), to_(&to), pieces_(&pieces) {}
 
-  /// The bound by way of the pieces of the other curves in the same face.
+  /// The bound by distances to the pieces of the other curves in the same face.
   [[nodiscard]] double by_pieces(const CurveSegment& s, const SegmentSample& a,
                                  const SegmentSample& b) const {
     const SideFrame frame = side_frame(*surface_, s.face, 0);
@@ -42,10 +43,11 @@ class FaceBounds {
     return best;
   }
 
-  /// Whether the bound is less than `enough` by way of a point on a side of the face, one point on
-  /// each side of the segment. The points are those through which the shortest way probably comes:
-  /// it meets the segment at an angle that the slope tells. Sides of large faces may be far away;
-  /// distances beyond `enough` are not computed.
+  /// Whether the bound by way of a point on a side of the face is less than `enough`. One point to
+  /// the left and one to the right of the segment are tried: where the shortest way probably enters
+  /// the face, given the angle at which it meets the segment, which follows from the slope of the
+  /// distance. Distances beyond `enough` are not computed, because the sides of large faces may be
+  /// far away.
   bool less_by_sides(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
                      double enough) {
     if (less_by_sides_in(s, a, b, enough)) return true;
@@ -56,8 +58,7 @@ class FaceBounds {
   }
 
  private:
-  /// Like less_by_sides() for a segment along the side opposite to corner k, beyond which there is
-  /// another face.
+  /// less_by_sides() in the face across the side opposite to corner k, for a segment on this side.
   bool less_by_other_face(const CurveSegment& s, std::size_t k, const SegmentSample& a,
                           const SegmentSample& b, double enough) {
     const HalfedgeId side = side_frame(*surface_, s.face, (k + 1) % 3).side;
@@ -81,7 +82,7 @@ class FaceBounds {
     for (const double side : {-across, across}) {
       const PlanePoint back{-slope * ex - side * ey, -slope * ey + side * ex};
       std::array<double, 3> c = s.at((a.t + b.t) / 2);
-      // A point that is near compared with the interval gives no better bound than the ends do.
+      // A point that is near compared with the interval gives no better bound than slope 1.
       if (!(walk_to_side(frame, back, c) > length / 4)) continue;
       const PlanePoint corner = frame.at(c, 0);
       const double limit = enough - std::max(distance_of(p, corner), distance_of(q, corner));
@@ -92,7 +93,7 @@ class FaceBounds {
     return false;
   }
 
-  /// Moves c in a direction up to the boundary of the face; returns the distance moved.
+  /// Moves c in a direction to the boundary of the face; returns the distance moved, mesh units.
   static double walk_to_side(const SideFrame& frame, PlanePoint direction,
                              std::array<double, 3>& c) {
     const double up = direction.y / frame.apex.y;

@@ -14,7 +14,7 @@ namespace {
 
 using Ends = std::array<std::array<double, 3>, 2>;
 
-/// The same for both directions.
+/// The ends of a piece, in an order that does not depend on its direction.
 Ends ends_of(const FaceItem& item) {
   Ends ends = {item.piece->from, item.piece->to};
   std::sort(ends.begin(), ends.end());
@@ -48,7 +48,7 @@ class ItemPairs {
  private:
   void pair(std::uint32_t i, std::uint32_t k) const { (*visit_)(std::min(i, k), std::max(i, k)); }
 
-  /// One of each kind, in their order.
+  /// Pairs equal items with each other, and returns one of each group of equal items, ascending.
   Numbers pair_equals() const {
     std::vector<std::pair<Ends, std::uint32_t>> sorted;
     for (std::uint32_t i = 0; i < items_.size(); ++i) sorted.emplace_back(ends_of(items_[i]), i);
@@ -65,7 +65,8 @@ class ItemPairs {
     return kinds;
   }
 
-  /// Those that end at one corner are a fan; sides of the face and points are not.
+  /// Items with one end at a corner of the face belong to the corner's fan; all others, sides of
+  /// the face and points among them, are free.
   void split(const Numbers& kinds) {
     for (const std::uint32_t i : kinds) {
       const PolylinePiece& piece = *items_[i].piece;
@@ -99,7 +100,7 @@ class ItemPairs {
     }
   }
 
-  /// From the corner to the item's other end.
+  /// The direction from the corner to the item's other end, radians.
   [[nodiscard]] double angle_from(std::size_t corner, std::uint32_t i) const {
     const FaceItem& item = items_[i];
     const bool forwards = item.piece->from[corner] == 1;
@@ -107,17 +108,17 @@ class ItemPairs {
     return std::atan2(to.y - at.y, to.x - at.x);
   }
 
-  /// Sorted by angle, each with the nearest longer one before it and after it.
+  /// Sorts a fan by angle, and pairs each item with the nearest longer item on either side.
   void pair_neighbours(const Numbers& fan, std::size_t corner) const {
     std::vector<std::pair<double, std::uint32_t>> sorted;
     for (const std::uint32_t i : fan) sorted.emplace_back(angle_from(corner, i), i);
-    // A face spans less than half a turn, but its angles may lie on both sides of the cut.
+    // The angles span less than half a turn, but may lie on both sides of ±π.
     if (!sorted.empty()) {
       const double first = sorted.front().first;
       for (auto& [angle, i] : sorted) angle = std::remainder(angle - first, 2 * std::numbers::pi);
     }
     std::sort(sorted.begin(), sorted.end());
-    Numbers longer;  // of those before it, each longer than those after it
+    Numbers longer;  // previous items, in descending order of length
     for (const auto& [angle, i] : sorted) {
       while (!longer.empty() && items_[longer.back()].length < items_[i].length) {
         pair(longer.back(), i);

@@ -1,4 +1,4 @@
-// Face items are pieces of curves, laid out in the face that they share.
+// Face items are pieces of curves in one face, laid out in the plane.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct FaceItem {
 };
 
 /// Calls visit(i, k) with pairs of items of one face that may come within `same` (mesh units) of
-/// each other: with so many that every connected part of what items have in common is found, but
-/// for corners of the face that items end at. Equal items are a chain of pairs, of which one stands
-/// for all of them. Of items that end at one corner, each is paired with the next longer ones on
-/// either side of it, which contain it if any do.
-/// O(n log n) and what meets away from corners.
+/// each other. The pairs suffice to find every connected contact of items, except contacts at
+/// corners of the face where items end. A group of equal items is visited as a chain of pairs, and
+/// one item stands for the group in other pairs. An item that ends at a corner is paired, among the
+/// items at this corner, with the nearest longer items on either side, which contain the item if
+/// any item does. O(n log n + pairs away from corners).
 void visit_item_pairs(std::span<const FaceItem> items, double same,
                       const std::function<void(std::uint32_t, std::uint32_t)>& visit);
 

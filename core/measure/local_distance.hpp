@@ -1,5 +1,4 @@
-// A local distance is measured from those parts of curves that can be nearest to a piece of
-// another.
+// A local distance is computed from the nearby parts of curves only.
 #pragma once
 
 #include <algorithm>
@@ -19,19 +18,19 @@
 
 namespace talweg {
 
-/// Selects the parts of some curves that lie near in space. Ways along the surface are never
-/// shorter than through space, so the other parts cannot be nearest. O(n log n) for n segments,
-/// once.
+/// Selects the parts of curves that are near in space. Ways along the surface are never shorter
+/// than through space, so other parts cannot be nearest along the surface. Building is O(n log n)
+/// for n segments.
 class NearParts {
  public:
   NearParts(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
       : segments_(mesh, curves) {}
 
-  /// Distance through space.
+  /// The distance of a position to the curves through space, mesh units.
   [[nodiscard]] double distance(const Point& p) const { return segments_.tree().to(p).distance; }
 
-  /// The segments whose boxes meet one of these boxes, as curves. O(log n) for a box, and what it
-  /// meets.
+  /// The segments whose boxes overlap one of the given boxes, as curves. O(log n + overlaps) for a
+  /// box.
   [[nodiscard]] std::vector<SurfaceCurve> meeting(
       std::span<const Eigen::AlignedBox3d> boxes) const {
     std::vector<std::uint32_t> near;
@@ -48,23 +47,24 @@ class NearParts {
   SegmentsInSpace segments_;
 };
 
-/// Sets a distance to the parts of the curves that can be nearest to some segments.
+/// Sets a PolylineDistance to the parts of curves that can be nearest to given segments.
 class LocalDistance {
  public:
-  /// Distances of `limit` or more will not be needed.
+  /// Distances of `limit` (mesh units) or more may be wrong.
   LocalDistance(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                 PolylineDistance& distance, double limit = HUGE_VAL)
       : mesh_(&mesh), curves_(curves), parts_(mesh, curves), distance_(&distance), limit_(limit) {}
 
-  /// A guess, from distances in space, of the largest distance on a segment; it may turn out too
+  /// An estimate of the largest distance on a segment, from distances through space; may be too
   /// small.
   [[nodiscard]] double guess(const CurveSegment& s) const {
     return kMore *
            bound(s, [&](const SurfacePoint& p) { return parts_.distance(mesh_->position(p)); });
   }
 
-  /// `reach` holds the guesses. Returns the curves that the distance is set to. Cost: exact
-  /// distances at both ends of each segment, to parts that are found up to twice.
+  /// Sets the distance to the parts within `reach` of the segments; `reach` has the guess() of each
+  /// segment, and is enlarged if the exact distances at the ends show that a guess was too small.
+  /// Then the parts are selected a second time. Returns the parts.
   std::vector<SurfaceCurve> set_near(std::span<const CurveSegment> segments,
                                      std::span<double> reach) {
     std::vector<SurfaceCurve> near = set(segments, reach);

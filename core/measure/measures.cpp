@@ -34,7 +34,7 @@ double corner_angle(const Surface& surface, HalfedgeId h) {
 
 using Barycentric = std::array<double, 3>;
 
-/// A curve's point and the next or the last one, in a face that contains both.
+/// A point of a curve and its next or previous point, in a common face.
 struct Side {
   FaceId face;
   Barycentric at{}, other{};
@@ -47,8 +47,8 @@ Side side_of(const Surface& surface, const SurfacePoint& at, const SurfacePoint&
 
 using Turn = PointTurn;
 
-/// The way between two points of a face in the plane in which halfedge h of that face lies on the x
-/// axis and the face above.
+/// The vector between two points of a face, in the plane where halfedge h of the face lies on the x
+/// axis and the face above it.
 PlanePoint way(const Surface& surface, HalfedgeId h, const Barycentric& from,
                const Barycentric& to) {
   const HalfedgeId first = surface.halfedge(surface.face(h)), next = surface.next(h);
@@ -61,13 +61,13 @@ PlanePoint way(const Surface& surface, HalfedgeId h, const Barycentric& from,
   return {along * length + across * top.x, across * top.y};
 }
 
-/// The angle from halfedge h, which starts at the point, to the way from it, in [0, pi].
+/// The angle at the tail of halfedge h from h to the other point, in [0, pi].
 double angle_from(const Surface& surface, HalfedgeId h, const Side& side) {
   const PlanePoint out = way(surface, h, side.at, side.other);
   return std::atan2(out.y, out.x);
 }
 
-/// Directions at a vertex are angles from its first halfedge, counterclockwise.
+/// The turn at a vertex. Directions are angles from the vertex's first halfedge, counterclockwise.
 Turn turn_at(const Surface& surface, VertexId v, const Side& before, const Side& after) {
   double in = 0, out = 0, cone = 0;
   const HalfedgeId first = surface.halfedge(v);
@@ -90,7 +90,7 @@ Turn turn_at(const Surface& surface, VertexId v, const Side& before, const Side&
           std::abs(toward_left)};
 }
 
-/// At points of edges and inside faces both ways lie in one plane.
+/// The turn at any point. Inside edges and faces, both segments unfold into one plane.
 Turn turn_at(const Surface& surface, const SurfacePoint& at, const Side& before,
              const Side& after) {
   if (const auto* v = std::get_if<AtVertex>(&at.where())) {
@@ -99,7 +99,7 @@ Turn turn_at(const Surface& surface, const SurfacePoint& at, const Side& before,
   const auto* edge = std::get_if<OnEdge>(&at.where());
   HalfedgeId h = surface.halfedge(before.face), beyond = h;
   double sign = 1;
-  if (edge != nullptr) {  // both are seen from the edge
+  if (edge != nullptr) {  // both segments in the frame of the edge
     h = halfedge_of(edge->edge);
     if (!surface.has_face(h) || surface.face(h) != before.face) h = twin(h);
     if (before.face != after.face) sign = -1;
@@ -133,7 +133,7 @@ Turn turn_at(const Surface& surface, const SurfacePoint& before, const SurfacePo
                  side_of(surface, at, after, shared_face(surface, at, after)));
 }
 
-/// From point i to the next.
+/// Segment i, from point i to the next.
 Side segment(const Surface& surface, const SurfaceCurve& curve, std::size_t i) {
   const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % curve.points.size()];
   return side_of(surface, p, q, face_of(surface, curve, i));
@@ -143,12 +143,12 @@ double length(const Surface& surface, const Side& segment) {
   return distance_in_face(surface, {segment.face, segment.at}, {segment.face, segment.other});
 }
 
-/// Measures the curve and lists its turns.
+/// Measures the length and the turning angles of a curve, and lists its turns.
 CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTurns& turns) {
   CurveMeasures measures;
   const std::size_t n = curve.points.size();
   std::vector<Side> segments;
-  std::vector<double> at{0};  // of the points, along the curve
+  std::vector<double> at{0};  // arc length at each point
   for (std::size_t i = 0; i < segment_count(curve); ++i) {
     segments.push_back(segment(surface, curve, i));
     at.push_back(at.back() + length(surface, segments.back()));

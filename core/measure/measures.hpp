@@ -1,5 +1,4 @@
-// The measures of a curve on a surface are its length, its geodesic curvature, and how that is
-// spread.
+// The measures of a curve on a surface are its length, its geodesic curvature and its bending.
 #pragma once
 
 #include <cstddef>
@@ -11,40 +10,40 @@
 namespace talweg {
 
 /// Length and discrete geodesic curvature of a piecewise straight curve, from edge lengths only.
-/// The last three need an edge length h to compare with: see turning_windows.hpp.
+/// The last three depend on an edge length h (turning_windows.hpp).
 struct CurveMeasures {
-  double length = 0;           ///< mesh units
-  double total_curvature = 0;  ///< radians: sum of the turning angles
-  double signed_curvature =
-      0;                     ///< radians: left turns less right turns; on a loop Gauss and Bonnet's
-  double max_curvature = 0;  ///< radians: the largest PointTurn::from_straight
-  std::size_t max_at = 0;    ///< index of the point that turns most; the first if several do
-  double bending = 0;        ///< without unit: h times the integral of the squared curvature
+  double length = 0;            ///< mesh units
+  double total_curvature = 0;   ///< radians: sum of the turning angles
+  double signed_curvature = 0;  ///< radians: left minus right turns, as in Gauss-Bonnet
+  double max_curvature = 0;     ///< radians: the largest PointTurn::from_straight
+  std::size_t max_at = 0;       ///< index of the first point with this turn
+  double bending = 0;           ///< no unit: h times the integral of the squared curvature
   double window_turning = 0;    ///< radians: the largest net turning in a window of length h
-  double window_turning_2 = 0;  ///< radians: the same in one of 2 h
+  double window_turning_2 = 0;  ///< radians: the same for windows of length 2 h
 };
 
 /// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
-/// side angles, which are measured along the surface between the directions to the neighbours. It
-/// is 0 where both are at least pi (a curve through a saddle vertex can be straight without being
-/// straight on either side; Polthier & Schmies 1998). Inside an edge or a face the side angles sum
-/// to 2 pi, and this is the angle between the segments with the two faces unfolded into one plane.
-/// On the boundary only the side inside the surface counts; the other is taken as infinite. Needles
-/// and zero-area triangles give some angle in that range, never NaN. O(degree). Throws
-/// Error(kBadCurve) when a neighbour shares no face with the point.
+/// side angles. A side angle is the angle along the surface between the directions to the two
+/// neighbours, on one side of the curve. The turning angle is 0 if both side angles are at least
+/// pi, as a curve through a saddle vertex can be (Polthier & Schmies 1998). Inside an edge or a
+/// face the side angles sum to 2 pi, and the turning angle is the angle between the segments with
+/// the two faces unfolded into one plane. On the boundary the side outside the surface counts as
+/// infinite. Needles and zero-area triangles give some angle in [0, pi], never NaN. O(degree).
+/// Throws Error(kBadCurve) if a neighbour shares no face with the point.
 double turning_angle(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                      const SurfacePoint& after);
 
-/// Half the difference between the right and the left side angle, radians: positive where the curve
-/// turns left. Inside an edge or a face its absolute value is the turning angle. On the boundary it
-/// is pi minus the angle on the inner side, with its sign. Throws as turning_angle() does.
+/// Half the difference between the right and the left side angle, radians; positive for left turns.
+/// Inside an edge or a face the absolute value is the turning angle. On the boundary the value is
+/// pi minus the inner side angle, negated if the inner side is on the right. Throws as
+/// turning_angle() does.
 double signed_turning(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                       const SurfacePoint& after);
 
-/// Both of them, and how far the curve is from the passage that has the same angle on both sides
-/// (the straightest one of Polthier & Schmies 1998): what the eye takes for a kink. Straight over
-/// a spike it is 0 where the turning angle is not, and at a saddle vertex it is more than that. On
-/// the boundary it is the turning angle.
+/// The turn at a point of a curve. `from_straight` is the angle to the straightest passage of
+/// Polthier & Schmies (1998), which has equal angles on both sides; the eye sees this angle as a
+/// kink. For a straight passage over a spike it is 0, while the turning angle is positive; at a
+/// saddle vertex it is at least the turning angle. On the boundary it equals the turning angle.
 struct PointTurn {
   double angle = 0;          ///< turning_angle()
   double toward_left = 0;    ///< signed_turning()
@@ -53,21 +52,20 @@ struct PointTurn {
 PointTurn turn_of(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
                   const SurfacePoint& after);
 
-/// The length of a curve in mesh units, each segment measured in its common face; 0 for fewer than
-/// two points. Throws Error(kBadCurve) naming the first pair of points without a common face.
+/// The length of a curve in mesh units, with each segment measured in its face; 0 for fewer than
+/// two points. Throws Error(kBadCurve) with the first pair of points without a common face.
 double curve_length(const Surface& surface, const SurfaceCurve& curve);
 
-/// The turns of a curve, for turning_windows.hpp. Its ends do not turn where it is open. O(points ·
-/// degree). Throws Error(kBadCurve) as curve_length() does.
+/// The turns of a curve, for turning_windows.hpp. The ends of an open curve have no turn. O(points
+/// · degree). Throws Error(kBadCurve) as curve_length() does.
 CurveTurns turns_of(const Surface& surface, const SurfaceCurve& curve);
 
-/// Length and turning angles of a curve. The ends of an open curve do not turn; a closed one turns
-/// at every point. Bending and windows stay 0. O(points · degree). Throws Error(kBadCurve) as
-/// curve_length() does.
+/// Length and turning angles of a curve. The ends of an open curve have no turn. `bending` and the
+/// window turnings stay 0. O(points · degree). Throws Error(kBadCurve) as curve_length() does.
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve);
 
-/// All measures. `edge` > 0, mesh units: the length that windows are compared with, for a result
-/// and its drawing the same edge_length_near() the drawing.
+/// All measures of a curve. `edge` (mesh units, > 0) is h; for a drawing and its result use
+/// edge_length_near() of the drawing for both.
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve, double edge);
 
 }  // namespace talweg

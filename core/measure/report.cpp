@@ -13,7 +13,7 @@
 namespace talweg {
 namespace {
 
-/// Visits what a report has with its name, in order.
+/// Calls visit(name, value) for each entry of a report, in order.
 template <class Visit>
 void for_each_field(const SmoothingReport& r, Visit visit) {
   visit("version", r.version);
@@ -94,7 +94,7 @@ void for_each_field(const SmoothingReport& r, Visit visit) {
   visit("peak_memory_mib", r.peak_memory_mib);
 }
 
-/// Adds another curve's measures to the total.
+/// Adds the measures of a curve to the total.
 void add(CurveMeasures& total, const CurveMeasures& m) {
   total.length += m.length;
   total.total_curvature += m.total_curvature;
@@ -105,7 +105,7 @@ void add(CurveMeasures& total, const CurveMeasures& m) {
   total.window_turning_2 = std::max(total.window_turning_2, m.window_turning_2);
 }
 
-/// Adds what is not there yet.
+/// Adds the warnings that the total does not have.
 template <class Warning>
 void add(std::vector<Warning>& total, const std::vector<Warning>& warnings) {
   for (const Warning& warning : warnings) {
@@ -174,8 +174,8 @@ Farthest farthest(const SmoothingReport& r) {
            cut ? FarthestOf::kDrawing : FarthestOf::kResult};
   }
   if (r.missed_points == 0) return far;
-  far.at_most = HUGE_VAL;                 // misses are measured through space
-  constexpr double kRounding = 1 + 1e-6;  // the point may be what the drawing is farthest at
+  far.at_most = HUGE_VAL;                 // distances of missed points are through space
+  constexpr double kRounding = 1 + 1e-6;  // the missed point may be the drawing's farthest point
   if (far.of != FarthestOf::kNothing && far.at_least > kRounding * r.missed_max) return far;
   return {r.missed_max, HUGE_VAL, r.missed_at, FarthestOf::kPoint};
 }
@@ -183,7 +183,7 @@ Farthest farthest(const SmoothingReport& r) {
 SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
   if (reports.empty()) return {};
   SmoothingReport total = reports.front();
-  // A mean that is infinite stays so even where the length is 0.
+  // An infinite mean stays infinite even if the length is 0.
   const auto weighted = [](double mean, double length) {
     return std::isfinite(mean) ? mean * length : mean;
   };

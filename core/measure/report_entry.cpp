@@ -27,12 +27,13 @@ struct AsJson {
   }
 };
 
-/// A message may contain a file name that is not UTF-8, but JSON must be UTF-8.
+/// JSON must be UTF-8, but a message may contain a file name that is not; invalid bytes are
+/// replaced.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Whether this part of a key is the index of an element of the group, or of the next one.
+/// Whether a part of a key is the index of an element of an array, or of its next element.
 bool is_index(const Json& group, const std::string& part) {
   constexpr std::size_t kDigits = 9;
   if (!group.is_array() && !group.is_null()) return false;
@@ -43,7 +44,7 @@ bool is_index(const Json& group, const std::string& part) {
   return std::stoul(part) <= group.size();
 }
 
-/// The member of a group, which is made where there is none yet.
+/// The member of a group; made if missing.
 Json& member(Json& group, const std::string& part, const std::string& key) {
   if (is_index(group, part)) return group[static_cast<std::size_t>(std::stoul(part))];
   if (group.is_object() || group.is_null()) return group[part];

@@ -19,14 +19,14 @@ namespace talweg {
 namespace {
 
 constexpr double kJump = 0.2;       // mesh edges: a larger move counts as a jump
-constexpr double kAutomaticTo = 4;  // mesh edges: farther apart, kAutomatic measures through space
+constexpr double kAutomaticTo = 4;  // mesh edges: beyond, kAutomatic measures through space
 
 }  // namespace
 
 void warn_if_far(SmoothingReport& report, double far, bool automatic) {
   const bool cut = report.deviation_from_drawn_max > report.deviation_to_drawn_max;
   const double apart = cut ? report.deviation_from_drawn_max : report.deviation_to_drawn_max;
-  if (!report.deviation_exact) return;  // a bound may be far where the result is not
+  if (!report.deviation_exact) return;  // a bound may be far larger than the deviation
   const bool through_space = automatic && report.deviation == DeviationMeasure::kEuclidean;
   if (!through_space && report.deviation != DeviationMeasure::kAlongSurface) return;
   const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
@@ -137,7 +137,7 @@ MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length
       return through_space(in_space());
     case DeviationMeasure::kAutomatic: {
       const double limit = kAutomaticTo * edge_length_near;
-      const Deviation apart = in_space();  // never more than along the surface, and far cheaper
+      const Deviation apart = in_space();  // never longer than along the surface, and far cheaper
       std::optional<SurfaceDeviation> along;
       if (std::max(apart.to_drawn.max, apart.from_drawn.max) < limit) {
         along = meter.measure_below(limit, results, drawings, progress);

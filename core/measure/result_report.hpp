@@ -1,4 +1,4 @@
-// A report is filled with what is measured on a drawing and its result.
+// A result report is filled with the measures of a drawing and its result.
 #pragma once
 
 #include <cmath>
@@ -14,68 +14,67 @@
 
 namespace talweg {
 
-/// Reports points, lengths, curvatures and their spread before and after, but no deviation yet.
-/// `edge` is edge_length_near() the drawing and `before` what measure_curve() gives for both.
+/// Reports numbers of points and measures of drawing and result, without the deviation. `edge` is
+/// edge_length_near() of the drawing, `before` is measure_curve() of the drawing with this edge.
 /// O(points · degree).
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const CurveMeasures& before, const SurfaceCurve& result);
-/// The same where the drawing is not measured yet.
+/// Measures the drawing, too.
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const SurfaceCurve& result);
 
-/// The report where there is no result: it has the drawing's values, both as before and as after.
+/// The report without a result: the values after are those of the drawing.
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                   const CurveMeasures& measures);
 
-/// How far a result and its drawing lie apart; mesh units.
+/// The deviation between a result and its drawing; mesh units.
 struct MeasuredDeviation {
-  DeviationMeasure measure = DeviationMeasure::kNone;  ///< as used; never kAutomatic
+  DeviationMeasure measure = DeviationMeasure::kNone;  ///< the measure used; never kAutomatic
   double to_drawn_max = HUGE_VAL;
   double to_drawn_mean = HUGE_VAL;
   double from_drawn_max = HUGE_VAL;
   double from_drawn_mean = HUGE_VAL;
-  Point at = Point::Constant(HUGE_VAL);  ///< the point with the larger of both maxima
-  bool exact = true;                     ///< false: maxima and means are bounds
-  double at_least = HUGE_VAL;            ///< the largest distance known
-  bool spared = false;  ///< not exact since that would take far longer than smoothing
+  Point at = Point::Constant(HUGE_VAL);  ///< the point at the larger of both maxima
+  bool exact = true;                     ///< if false, maxima and means are upper bounds
+  double at_least = HUGE_VAL;            ///< lower bound of the larger maximum
+  bool spared = false;  ///< exact distances would have taken far longer than smoothing
 };
 
-/// Measures the deviation; along the surface, as far as the budget of `progress` goes. kAutomatic
-/// does what it does below tau = 1/8, with `edge_length_near` as the mean edge. `to_drawn` may be a
-/// distance that is set to the drawing alone; if it is null, the meter uses its own. Where neither
-/// curve reaches the other, the deviation is infinite. Throws Cancelled when `progress` (stage
-/// "measure") says so.
+/// Measures the deviation, along the surface within the budget of `progress`. kAutomatic acts as
+/// for tau < 1/8, with `edge_length_near` as the mean edge. `to_drawn` may be a distance that is
+/// set to the drawing alone; if null, the meter uses its own. The deviation is infinite between
+/// components of the mesh. Throws Cancelled (stage "measure").
 MeasuredDeviation measure_deviation(DeviationMeasure measure, double edge_length_near,
                                     DeviationMeter& meter, const SurfaceMesh& mesh,
                                     const SurfaceCurve& drawn, const SurfaceCurve& result,
                                     PolylineDistance* to_drawn = nullptr,
                                     const Progress& progress = {});
 
-/// Stores it in the report, with a warning where it is infinite along the surface, and where it is
-/// a bound: then the report says that a limit was reached, unless measuring was spared.
+/// Stores a deviation in the report, with a warning if the deviation is infinite along the surface
+/// or not exact. A deviation that is not exact sets the termination kLimit, unless `spared` is set.
 void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured);
 
-/// The report on a curve that another method made of a drawing. It is measured as our results are:
-/// points, lengths, curvatures and their spread, the mesh's fineness near the drawing and the
-/// deviation. `potential` and `engine` are "none", times are 0, and crossings are not counted.
-/// Throws Error(kBadCurve) where two neighbours of a curve share no face.
+/// The report on a curve that another method made from a drawing, with the measures of all reports:
+/// points, lengths, curvatures, bending, edge length near the drawing and deviation. `potential`
+/// and `engine` are "none", times are 0, and crossings are not counted. Throws Error(kBadCurve) if
+/// two consecutive points of a curve share no face.
 SmoothingReport report_on_result(const SurfaceMesh& mesh, DeviationMeter& meter,
                                  const SurfaceCurve& drawn, const SurfaceCurve& result,
                                  DeviationMeasure measure = DeviationMeasure::kAlongSurface);
 
-constexpr double kFarInEdges = 3;  ///< mesh edges: a larger deviation deserves a warning
-/// Adds a sentence where result and drawing lie farther apart than this (mesh units) along the
-/// surface. `automatic` tells that kAutomatic chose the measure: then a deviation through space
-/// means that they lie at least four mean edges apart along the surface.
+constexpr double kFarInEdges = 3;  ///< mesh edges: a larger deviation gets a warning
+/// Adds a warning if the exact deviation along the surface is larger than `far` (mesh units).
+/// `automatic`: kAutomatic chose the measure, so a deviation through space means at least four mean
+/// edges along the surface.
 void warn_if_far(SmoothingReport& report, double far, bool automatic = false);
 
-/// Reports how far the curve has moved since the last result, whose tau was about the same, and
-/// warns of a jump. Distances are Euclidean. Throws Cancelled as report_deviation() does.
+/// Reports the distance between this result and the last one, whose tau was about the same, and
+/// warns of a jump. Distances are Euclidean. Throws Cancelled (stage "measure").
 void report_move(SmoothingReport& report, const SurfaceMesh& mesh, double last_tau,
                  const SurfaceCurve& last, const SurfaceCurve& result,
                  const Progress& progress = {});
 
-/// The number of surface faces with a corner whose directions have been laid out. O(touched).
+/// The number of surface faces at vertices that the triangulation has touched. O(touched).
 std::size_t count_touched_faces(const SignpostTriangulation& triangulation);
 
 }  // namespace talweg

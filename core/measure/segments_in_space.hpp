@@ -1,4 +1,4 @@
-// The segments of some curves in space, and back from segments to curves.
+// Segments in space are the segments of curves by number, and lead back to the curves.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace talweg {
 
-/// Numbers the segments of all curves one after the other. The curves must outlive the object.
-/// O(n log n) for n points. Throws Error(kBadCurve) when there is no curve.
+/// Numbers the segments of all curves consecutively. The curves must outlive the object. O(n log n)
+/// for n points. Throws Error(kBadCurve) if there is no curve.
 class SegmentsInSpace {
  public:
   SegmentsInSpace(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves)
@@ -29,12 +29,12 @@ class SegmentsInSpace {
     const auto next = std::upper_bound(first_.begin(), first_.end(), segment);
     return static_cast<std::uint32_t>(next - first_.begin() - 1);
   }
-  /// The numbers of the points of its curve between which a segment lies.
+  /// The two ends of a segment, as numbers of points of its curve.
   [[nodiscard]] std::array<std::uint32_t, 2> ends(std::uint32_t segment) const {
     const std::uint32_t curve = curve_of(segment), i = segment - first_[curve];
     return {i, (i + 1) % static_cast<std::uint32_t>(curves_[curve].points.size())};
   }
-  /// Ascending segments as curves; those that follow each other on a curve are joined.
+  /// Segments, given ascending, as curves; consecutive segments of a curve are joined.
   [[nodiscard]] std::vector<SurfaceCurve> as_curves(std::span<const std::uint32_t> segments) const {
     std::vector<SurfaceCurve> parts;
     for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -60,7 +60,7 @@ class SegmentsInSpace {
   }
 
   std::span<const SurfaceCurve> curves_;
-  std::vector<std::uint32_t> first_;  // per curve
+  std::vector<std::uint32_t> first_;  // per curve, the number of its first segment
   NearestSegment tree_;
 };
 

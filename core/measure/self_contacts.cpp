@@ -14,10 +14,11 @@
 namespace talweg {
 namespace {
 
-constexpr double kSame = 1e-9;  // of the longest side of the face
+constexpr double kSame = 1e-9;  // times the longest side of the face: points count as equal
 constexpr double kLoop = 1e-6;
 
-/// What two passages have in common; `arc` is given on each of them, in the order of the first.
+/// The contact of two passages of curves. `arc` has the arc lengths of both ends of the contact on
+/// each passage, in the order of the first passage.
 struct Meeting {
   struct Passage {
     std::uint32_t curve = 0;
@@ -25,7 +26,7 @@ struct Meeting {
   };
   std::array<Passage, 2> passages;
   bool stretch = false;
-  double same = 0;  ///< distance below which points count as one place, mesh units
+  double same = 0;  ///< mesh units: points within this distance count as equal
   SurfacePoint at;
 };
 
@@ -40,14 +41,13 @@ PlanePoint at_length(const FaceItem& item, double s) {
   return {item.a.x + t * (item.b.x - item.a.x), item.a.y + t * (item.b.y - item.a.y)};
 }
 
-/// How far a point lies to the left of an item's line.
+/// The signed distance of a point to the left of an item's line.
 double aside(const FaceItem& item, PlanePoint x) {
   const double ux = (item.b.x - item.a.x) / item.length, uy = (item.b.y - item.a.y) / item.length;
   return ux * (x.y - item.a.y) - uy * (x.x - item.a.x);
 }
 
-/// Where two items meet, as lengths along both: nowhere, at one place, or between the two ends of a
-/// stretch.
+/// The contact of two items, as lengths along both: none, one point, or the two ends of a stretch.
 struct Common {
   int count = 0;
   std::array<std::array<double, 2>, 2> at{};
@@ -77,7 +77,7 @@ Common common_of(const FaceItem& p, const FaceItem& q, double same) {
     if (std::hypot(x.x - y.x, x.y - y.y) <= same) common.add(on_p, s, same);
   }
   if (common.count > 0 || !(p.length > 0) || !(q.length > 0)) return common;
-  // No end of one item lies on the other, so they cross or do not meet.
+  // No end of one item lies on the other, so the items cross or do not meet.
   const double a = aside(p, q.a), b = aside(p, q.b), c = aside(q, p.a), d = aside(q, p.b);
   const auto apart = [&](double x, double y) {
     return std::min(x, y) < -same / 2 && std::max(x, y) > same / 2;
@@ -102,7 +102,7 @@ class Finder {
     std::vector<const PolylinePiece*> pieces;
     for (const PolylinePiece& piece : pieces_.segments) pieces.push_back(&piece);
     for (const PolylinePiece& piece : pieces_.points) {
-      // A point inside a face is already covered by the segments there.
+      // Contacts at a point inside a face are found by the segments there.
       const bool on_side = std::count(piece.from.begin(), piece.from.end(), 0.0) > 0;
       if (piece.face.valid() && on_side) pieces.push_back(&piece);
     }
@@ -140,7 +140,7 @@ class Finder {
       passages[0].arc[k] = arc(p, common.at[k * last][0]);
       passages[1].arc[k] = arc(q, common.at[k * last][1]);
     }
-    // A curve does not touch itself where both passages are the same.
+    // The two passages must not be the same passage of one curve.
     if (!is_far(passages, 0, loop) && !is_far(passages, 1, loop)) return;
     if (passages[0].arc[0] > passages[0].arc[1]) {
       for (auto& passage : passages) std::swap(passage.arc[0], passage.arc[1]);
@@ -198,7 +198,7 @@ class Finder {
     }
   }
 
-  /// A piece of a curve that belongs to a meeting.
+  /// A piece of a curve (arc lengths) that belongs to a meeting.
   struct Interval {
     std::uint32_t curve;
     double from, to;
@@ -220,7 +220,7 @@ class Finder {
     return all;
   }
 
-  /// Joins meetings that share a piece of a curve into one place.
+  /// Joins meetings that share a piece of a curve to one contact.
   std::vector<SelfContact> joined() {
     UnionFind sets(meetings_.size());
     const std::vector<Interval> all = intervals();

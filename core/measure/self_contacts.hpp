@@ -1,4 +1,4 @@
-// Self-contacts are where curves touch or cross themselves or each other.
+// Self-contacts are places where curves touch or cross themselves or each other.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace talweg {
 
-/// A place that the curves pass more than once.
+/// A place that curves pass more than once.
 struct SelfContact {
-  SurfacePoint at;       ///< where it begins on the first curve that passes it
-  std::size_t curve;     ///< that curve
-  bool stretch = false;  ///< whether more than a point is passed more than once
+  SurfacePoint at;       ///< its beginning on the first curve
+  std::size_t curve;     ///< the first curve with the place
+  bool stretch = false;  ///< whether the place is longer than a point
 };
 
 /// The connected parts of the set of points that the curves pass more than once, each counted once:
-/// a crossing, a common point, or a common stretch with everything that meets it. They are in the
-/// order of the curves. A curve that turns back along itself has a stretch there. The common point
-/// of successive segments is not a contact.
+/// a crossing, a common point, or a common stretch with all contacts connected to it. The contacts
+/// are in the order of the curves. A curve that turns back along itself has a stretch there. The
+/// common point of consecutive segments is not a contact.
 ///
-/// Points within 1e-9 of their face's longest side of each other count as one; loops shorter than
-/// 1e-6 of it are not found. O(n log n) for n points, and what meets inside faces.
-/// Throws Error(kBadCurve) when a curve has no points or two neighbours share no face.
+/// Points closer than 1e-9 of the longest side of their face count as equal; loops shorter than
+/// 1e-6 of this side are not found. O(n log n) for n points, plus the contacts inside faces. Throws
+/// Error(kBadCurve) if a curve has no points or two consecutive points share no face.
 std::vector<SelfContact> self_contacts(const Surface& surface,
                                        std::span<const SurfaceCurve> curves);
 

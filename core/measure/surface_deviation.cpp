@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kTolerance = 1e-3;
 constexpr int kMaxHalvings = 40;
-// The limit of samples between two points. In slivers, rounding may keep the bounds from ever
-// meeting; the maximum found by then is used.
+// The most samples for one segment. In slivers, rounding may keep the bounds from meeting the
+// tolerance; then the largest sample is used.
 constexpr int kMostSamples = 2000;
 constexpr int kMeanHalvings = 10;
-constexpr std::size_t kMostWindows = 2;  // of all parts together, per edge of the mesh
+constexpr std::size_t kMostWindows = 2;  // windows of all parts together, per edge of the mesh
 constexpr double kNoLimit = HUGE_VAL;
 constexpr const char* kStage = "measure";
-constexpr std::size_t kOfGuess = 32;  // units of work
+constexpr std::size_t kOfGuess = 32;  // units of work of Asker
 
 class Measurement {
  public:
@@ -38,7 +38,7 @@ class Measurement {
         limit_(limit),
         asker_(&asker) {}
 
-  /// Segments are added in parts; between them `to` and `pieces` may be set to other curves.
+  /// Adds a part of the segments. Between parts, `to` and `pieces` may be set to other curves.
 
   void add(std::span<const CurveSegment> segments) {
     struct Sampled {
@@ -69,9 +69,9 @@ class Measurement {
       if (samples_left_ >= 0) known_[before + i].most = enough_by_now();
     }
   }
-  /// Of the segments that were added, as far as that went.
+  /// The results for the first segments, as far as they were measured.
   [[nodiscard]] std::span<const KnownSegment> known() const { return known_; }
-  /// The largest distance seen.
+  /// The largest sample.
   [[nodiscard]] double largest() const { return max_; }
 
   [[nodiscard]] OneSidedSurfaceDeviation result() const {
@@ -80,7 +80,7 @@ class Measurement {
   }
   [[nodiscard]] bool is_finite() const { return std::isfinite(max_); }
 
-  /// The distance at a single point, which counts as a sample.
+  /// Samples the distance at a point.
   double see(const SurfacePoint& point) {
     constexpr std::size_t kWork = 32;
     asker_->did(kWork);
@@ -101,8 +101,8 @@ class Measurement {
     return (a.distance + 4 * middle.distance + b.distance) / 6;
   }
 
-  /// The mean between a and b; the error estimate compares with trapezoids, which miss kinks as
-  /// much.
+  /// The mean between a and b by adaptive Simpson's rule. The error is estimated by comparison with
+  /// the trapezoidal rule, because both rules have similar errors at kinks of the distance.
   double mean(const CurveSegment& s, const SegmentSample& a, const SegmentSample& middle,
               const SegmentSample& b, double missed, int halvings = 0) {
     const double bend = std::abs(a.distance - 2 * middle.distance + b.distance) / 12;
@@ -114,12 +114,12 @@ class Measurement {
            2;
   }
 
-  /// What need not be searched for: hardly more than the largest distance so far.
+  /// The largest sample plus the tolerance: the search looks for larger distances only.
   [[nodiscard]] double enough_by_now() const {
     return max_ + std::max(tolerance_, kTolerance * max_);
   }
 
-  /// Searches between two samples for a larger distance than any seen so far.
+  /// Searches between two samples for a distance larger than all samples.
   void search(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
               int halvings = 0) {
     const double enough = enough_by_now();
@@ -132,7 +132,7 @@ class Measurement {
     }
     --samples_left_;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
-    // This costs two distances, so it is tried only where halving would go on for long.
+    // less_by_sides() costs two distances, so it is called only if halving would continue for long.
     if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
     const SegmentSample middle = sample(s, (a.t + b.t) / 2);
     search(s, a, middle, halvings + 1);
@@ -147,7 +147,7 @@ class Measurement {
   Asker* asker_;
   double length_ = 0, integral_ = 0;
   double max_ = 0;
-  int samples_left_ = 0;  // -1: more were needed
+  int samples_left_ = 0;  // -1: the limit cut the search off
   std::optional<SurfacePoint> at_;
   std::vector<KnownSegment> known_;
 };
@@ -161,7 +161,7 @@ void refuse_nothing(std::span<const SurfaceCurve> curves) {
   }
 }
 
-/// A thousandth of the mean segment of all the curves.
+/// A thousandth of the mean segment of both sets of curves, mesh units.
 double tolerance_for(std::span<const CurveSegment> segments, std::span<const SurfaceCurve> others,
                      const std::vector<double>& other_lengths) {
   double length = 0;
@@ -174,8 +174,8 @@ double tolerance_for(std::span<const CurveSegment> segments, std::span<const Sur
   return count > 0 ? kTolerance * length / static_cast<double>(count) : 0;
 }
 
-/// The end of a part. Parts are long compared with their distances, so that few faces are covered
-/// twice.
+/// The end of the part that begins at `begin`. A part is at least four times as long as its largest
+/// estimated distance, so neighbouring parts cover few faces twice.
 std::size_t end_of_part(std::span<const CurveSegment> segments, std::span<const double> reach,
                         std::size_t begin) {
   constexpr double kLong = 4;
@@ -194,7 +194,7 @@ struct Sides {
   std::span<const SurfaceCurve> from, to;
 };
 
-/// Measures by a distance that is set to the other curves.
+/// Measures with a distance that is set to all of the other curves.
 void measure_at_once(const Sides& sides, std::span<const CurveSegment> segments,
                      Measurement& measurement) {
   for (const SurfaceCurve& curve : sides.from) measurement.see(curve.points.front());
@@ -202,9 +202,9 @@ void measure_at_once(const Sides& sides, std::span<const CurveSegment> segments,
 }
 
 /// Measures part by part, each with the distance to the nearby parts of the other curves, so that
-/// one far corner does not cost a wide band along all of the curves. If the parts cover the same
-/// faces again and again, as with a drawing that winds far from its result, the rest is measured as
-/// one part. `pieces` are those that the measurement looks at.
+/// one far corner does not cost a wide band along all curves. If parts cover the same faces again
+/// and again, as for a drawing that winds far from its result, the rest is measured as one part.
+/// `pieces` is the object that the measurement refers to.
 void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
                       std::span<const CurveSegment> segments, PolylineDistance& distance,
                       double limit, PolylinePieces& pieces, Measurement& measurement,
@@ -233,7 +233,8 @@ void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
   }
 }
 
-/// One direction of a deviation. What the budget leaves over is bounded.
+/// One direction of a deviation. If the budget ends the measurement, the result is
+/// bounded_deviation().
 class Direction {
  public:
   Direction(const SurfaceMesh& mesh, Sides sides, PolylineDistance& distance, double limit,
@@ -262,7 +263,7 @@ class Direction {
       measure_at_once(sides_, segments_, measurement_);
     });
   }
-  /// With a distance that is set.
+  /// Measures with a distance that the caller has set to the other curves.
   OneSidedSurfaceDeviation at_once() {
     return measured([&] { measure_at_once(sides_, segments_, measurement_); });
   }

@@ -9,16 +9,17 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // relative
 
-/// Slides a window along the curve and visits each stretch in which it holds the same turns:
-/// visit(from, to, sum), `from` and `to` being places of the window's end. On a closed curve the
-/// end runs around once, otherwise until the window has left the curve. Of two turns one window
-/// apart the second enters before the first leaves.
+/// Slides a window along the curve and calls visit(from, to, sum) for each range of positions in
+/// which the window contains the same turns. `from` and `to` are arc lengths of the window's end,
+/// `sum` the sum of the turns. On a closed curve the end runs around once, on an open curve until
+/// the window has left the curve. For two turns exactly one window apart, the second enters before
+/// the first leaves.
 template <class Visit>
 void slide(const CurveTurns& turns, double window, const Visit& visit) {
   const std::size_t n = turns.at.size();
   const double stop = turns.closed ? turns.length : turns.length + window;
-  // Turn k leaves as number n + k; on a closed curve it may be in the window at the start, and
-  // leaves as number k then.
+  // Turn k leaves the window as number n + k. On a closed curve a turn k may be in the window at
+  // the start; it then also leaves as number k.
   const auto leaves_at = [&](std::size_t number) {
     return turns.at[number % n] + window - (number < n ? turns.length : 0);
   };
@@ -36,7 +37,7 @@ void slide(const CurveTurns& turns, double window, const Visit& visit) {
   }
 }
 
-/// A window that reached all around a loop would count a turn twice.
+/// The window, made shorter than a loop: a longer window would count a turn twice.
 double fitted(const CurveTurns& turns, double window) {
   return turns.closed ? std::min(window, (1 - kRounding) * turns.length) : window;
 }
@@ -63,7 +64,7 @@ std::vector<CurvatureStep> curvature_along(const CurveTurns& turns, double windo
   slide(turns, window, [&](double from, double to, double sum) {
     const double a = from - window / 2, b = to - window / 2, curvature = sum / window;
     add(steps, {std::max(a, 0.0), std::min(b, turns.length), curvature});
-    // A loop's first windows lie about places before its start.
+    // The first windows of a loop are centred before its start.
     if (!turns.closed) return;
     add(behind_start, {a + turns.length, std::min(b, 0.0) + turns.length, curvature});
   });
@@ -72,7 +73,7 @@ std::vector<CurvatureStep> curvature_along(const CurveTurns& turns, double windo
 }
 
 double window_turning(const CurveTurns& turns, double window) {
-  // Turns that lie exactly one window apart count together, whichever way rounding goes.
+  // Turns exactly one window apart count together in spite of rounding.
   if (turns.at.empty() || !(window > 0)) return 0;
   double largest = 0;
   slide(turns, fitted(turns, (1 + kRounding) * window),

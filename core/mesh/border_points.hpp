@@ -1,4 +1,4 @@
-// Border points lie on the boundary of a mesh: at its vertices there, or on its edges.
+// Border points lie on the boundary of a mesh, at a boundary vertex or on a boundary edge.
 #pragma once
 
 #include <variant>

@@ -27,13 +27,14 @@ OnTriangle nearest_on_side(const std::array<Point, 3>& corner, std::size_t k, co
   OnTriangle result;
   result.barycentric[k] = 1 - t;
   result.barycentric[next] = t;
-  // Computed from the nearer end, so that an end itself is hit without rounding.
+  // Interpolation from the nearer end returns an end itself without rounding.
   const Point at = t <= 0.5 ? Point(corner[k] + t * side) : Point(corner[next] - (1 - t) * side);
   result.squared_distance = (p - at).squaredNorm();
   return result;
 }
 
-/// The foot of the perpendicular, where it lies inside and the triangle has a normal.
+/// The foot of the perpendicular on the triangle; infinitely far if it is not inside or the
+/// triangle has no normal.
 OnTriangle nearest_inside(const std::array<Point, 3>& corner, const Point& p) {
   OnTriangle result;
   const Point normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
@@ -53,7 +54,8 @@ OnTriangle nearest_inside(const std::array<Point, 3>& corner, const Point& p) {
   return result;
 }
 
-/// Compares all four candidates, so that a needle's noisy normal cannot give a wrong answer.
+/// Compares the foot and the nearest points of all sides, because rounding can put the foot on a
+/// needle far off.
 OnTriangle nearest_on_triangle(const std::array<Point, 3>& corner, const Point& p) {
   OnTriangle best = nearest_on_side(corner, 0, p);
   for (const OnTriangle& other :

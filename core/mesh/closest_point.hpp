@@ -1,4 +1,4 @@
-// The closest point of a mesh is the one nearest to a position in space.
+// The closest point of a mesh is its point nearest to a position in space.
 #pragma once
 
 #include <array>
@@ -14,24 +14,26 @@ namespace talweg {
 double distance_to_face(const SurfaceMesh& mesh, FaceId face, const Point& position);
 
 /// Building takes O(faces) time and about 25 bytes per face; a query is O(log faces) for positions
-/// near the mesh. It is immutable, so many threads may use it. The mesh must outlive it.
+/// near the mesh. The object is immutable, so many threads may use it. The mesh must outlive it.
 class ClosestPoint {
  public:
   /// Throws Error(kBadMesh) when the mesh has no face.
   explicit ClosestPoint(const SurfaceMesh& mesh);
 
   struct Result {
-    SurfacePoint point;  ///< on a vertex or an edge if it lies there up to rounding
-    FaceId face;         ///< a face that contains it; the smallest of equally near ones
-    std::array<double, 3> barycentric{};  ///< in that face, all >= 0, sum 1 up to rounding
+    SurfacePoint point;  ///< at a vertex or on an edge if it is there up to rounding
+    FaceId face;         ///< the face with the point; the smallest of equally near faces
+    std::array<double, 3> barycentric{};  ///< in `face`, all >= 0, sum 1 up to rounding
     double distance = 0;                  ///< mesh units
   };
 
   /// The nearest point. Zero-area triangles count as segments.
   /// Throws Error(kBadCurve) when the position is not finite, or too far away to square distances.
   [[nodiscard]] Result nearest(const Point& position) const;
-  /// The nearest point of every sheet that comes within `reach` (mesh units) of the position: where
-  /// no face beside it comes nearer. The nearest first, at most `most`. Throws as nearest().
+  /// The nearest point of every part of the surface within `reach` (mesh units) of the position, by
+  /// distance, at most `most` points. A point is a local minimum: no face that shares a vertex with
+  /// its face is nearer. If no face is within reach, the result is nearest(). Throws as nearest()
+  /// does.
   [[nodiscard]] std::vector<Result> on_sheets(const Point& position, double reach,
                                               std::size_t most) const;
 

@@ -18,7 +18,8 @@ PlanePoint lower_of(PlanePoint p, PlanePoint q) { return {std::min(p.x, q.x), st
 PlanePoint upper_of(PlanePoint p, PlanePoint q) { return {std::max(p.x, q.x), std::max(p.y, q.y)}; }
 bool same_place(PlanePoint p, PlanePoint q) { return p.x == q.x && p.y == q.y; }
 
-/// The corners that do not turn left, in boxes of boxes; those that were cut off leave the boxes.
+/// A tree of boxes around the corners that do not turn left. Corners leave the tree when they are
+/// cut off or turn left.
 class InwardTree {
  public:
   InwardTree(std::span<const PlanePoint> corners, std::vector<std::uint32_t> inward)
@@ -38,7 +39,8 @@ class InwardTree {
     }
   }
 
-  /// Whether `is_in` holds for any corner near the triangle; `steps` counts the work.
+  /// Whether `is_in` holds for any corner of the tree near the triangle; `steps` counts visited
+  /// boxes and corners.
   template <class IsIn>
   bool any(const std::array<PlanePoint, 3>& triangle, const IsIn& is_in, std::size_t& steps) {
     if (nodes_.empty()) return false;
@@ -67,9 +69,9 @@ class InwardTree {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Node {
     PlanePoint low{}, high{};
-    std::uint32_t begin = 0, end = 0;  // of inward_
+    std::uint32_t begin = 0, end = 0;  // range of inward_
     std::uint32_t right = 0;           // the first child follows its parent; 0: no children
-    std::uint32_t count = 0;           // of corners that have not left
+    std::uint32_t count = 0;           // of the corners still in the tree
   };
 
   std::uint32_t build(std::uint32_t begin, std::uint32_t end) {
@@ -95,7 +97,7 @@ class InwardTree {
     return id;
   }
 
-  /// Whether a side of the box or of the triangle has the other one outside.
+  /// Whether a side of the box or of the triangle separates box and triangle.
   static bool is_apart(const Node& node, const std::array<PlanePoint, 3>& t) {
     const PlanePoint low = lower_of(lower_of(t[0], t[1]), t[2]),
                      high = upper_of(upper_of(t[0], t[1]), t[2]);
@@ -103,7 +105,7 @@ class InwardTree {
     if (high.x < node.low.x - kMargin || high.y < node.low.y - kMargin) return true;
     for (std::size_t k = 0; k < 3; ++k) {
       const PlanePoint along = t[(k + 1) % 3] - t[k];
-      // The box's corner that is farthest to the left of the side.
+      // The corner of the box that is farthest to the left of the side.
       const PlanePoint far{along.y > 0 ? node.low.x : node.high.x,
                            along.x > 0 ? node.high.y : node.low.y};
       if (cross(along, far - t[k]) < -kMargin) return true;
@@ -111,16 +113,17 @@ class InwardTree {
     return false;
   }
 
-  static constexpr double kMargin = 1e-12;  // coordinates are about 1, and rounded
+  static constexpr double kMargin = 1e-12;  // rounding of coordinates about 1
   std::span<const PlanePoint> corners_;
   std::vector<std::uint32_t> inward_;
-  std::vector<std::uint32_t> place_;  // of each corner in inward_
+  std::vector<std::uint32_t> place_;  // per corner, its place in inward_
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> open_;
 };
 
-/// A corner that may be an ear, and its neighbours then. The shortest cut comes first: cutting in
-/// the order of the corners would make fans of slivers, whose boxes reach far.
+/// A candidate for an ear, with its neighbours at the time of queueing. The queue gives the
+/// shortest cut first: cutting in the order of the corners would make fans of slivers with large
+/// boxes.
 struct Asked {
   double cut;
   std::uint32_t corner, before, next;
@@ -171,8 +174,9 @@ class EarClipper {
     return result;
   }
 
-  /// Whether another corner keeps the triangle at b from being cut off: it lies inside or on it. At
-  /// the place of b itself the polygon must not lead inside.
+  /// Whether corner w prevents cutting off the triangle at b: w lies inside or on the triangle. A
+  /// corner at the position of b prevents cutting only if the polygon continues from there into the
+  /// triangle.
   [[nodiscard]] bool is_in_the_way(std::uint32_t w, std::uint32_t b) const {
     const std::uint32_t a = before_[b], c = next_[b];
     if (w == a || w == b || w == c) return false;
@@ -196,8 +200,9 @@ class EarClipper {
         triangle, [&](std::uint32_t w) { return is_in_the_way(w, b); }, steps_);
   }
 
-  /// Every corner that turns left is asked whether it is an ear: once, and again where rounding or
-  /// corners at one place keep the rule from holding that only neighbours become ears.
+  /// Queues every corner that turns left. Normally, after the first time, only the neighbours of a
+  /// cut corner can become ears; rounding and corners at the same position break this rule, so all
+  /// corners are queued again when no ear is found.
   bool ask_all() {
     if (asked_with_ == left_) return false;
     asked_with_ = left_;
@@ -226,7 +231,7 @@ class EarClipper {
     return false;
   }
 
-  /// Where no ear is left: a corner on the line of its neighbours.
+  /// Cuts off a corner on the line of its neighbours, when no ear is left.
   bool cut_flat() {
     for (std::uint32_t b = 0; b < corners_.size(); ++b) {
       ++steps_;
@@ -265,7 +270,7 @@ class EarClipper {
   std::uint32_t last_cut_neighbour_ = 0;
 };
 
-/// Puts the triangle with the side from corner 0 to corner 1 first, and these corners first in it.
+/// Puts the triangle with the side from corner 0 to corner 1 first, beginning with these corners.
 void begin_at_corner_0(std::vector<PolygonTriangle>& triangles) {
   for (PolygonTriangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

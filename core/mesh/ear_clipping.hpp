@@ -1,4 +1,4 @@
-// Ear clipping cuts a polygon of the plane into triangles inside it.
+// Ear clipping triangulates a polygon in the plane.
 #pragma once
 
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace talweg {
 
-/// The three corners of a triangle, counted along the polygon.
+/// The corners of a triangle, as positions along the polygon.
 using PolygonTriangle = std::array<std::uint32_t, 3>;
 
-/// Twice the area of a, b, c, and how far rounding of their coordinates by `rounding` can put it
-/// off.
+/// Twice the signed area of a triangle, with a bound of its error if coordinates are rounded by
+/// `rounding`.
 struct TurnInPlane {
   double area = 0;
   double error = 0;
@@ -23,16 +23,15 @@ struct TurnInPlane {
   [[nodiscard]] bool right() const { return area < -error; }
 };
 
-/// Triangulates a polygon that runs counterclockwise, with n >= 3 corners: n - 2 triangles, all
-/// counterclockwise; flat ones only where corners lie at one place or on one line and nothing else
-/// is left. The first has the corners 0 and 1 first. Corners may be named twice, as along a bridge
-/// to a hole. `rounding`: of the coordinates.
+/// Triangulates a counterclockwise polygon of n >= 3 corners into n - 2 counterclockwise triangles.
+/// Triangles of zero area occur only if the remaining corners coincide or are collinear. The first
+/// triangle begins with the corners 0 and 1. Two corners may have the same position, as along a
+/// bridge to a hole. `rounding` is the rounding error of the coordinates.
 ///
-/// Empty where there is no such triangulation: a polygon that crosses itself. (Meisters 1975,
-/// "Polygons have ears"; a corner's ear changes only when a neighbour is cut off, and a tree of the
-/// corners that turn inwards tells whether one lies in an ear.) The shortest cuts come first.
-/// O(n log n) as a rule. It gives up,
-/// with an empty result, after 1000 n steps, which the polygons tried so far never came near.
+/// The result is empty for a polygon that crosses itself. Source: Meisters 1975, "Polygons have
+/// ears". Whether a corner is an ear changes only when a neighbour is cut off; a tree of the reflex
+/// corners finds the corners inside an ear; the shortest cuts come first. O(n log n) on typical
+/// polygons. After 1000 n steps the result is empty, too; no tested polygon came near this limit.
 std::vector<PolygonTriangle> clip_ears(std::span<const PlanePoint> corners, double rounding);
 
 }  // namespace talweg

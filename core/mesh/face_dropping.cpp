@@ -19,7 +19,7 @@ bool is_flat(const MeshLists& lists, std::uint32_t face) {
   return shape_of({lists.points[t[0]], lists.points[t[1]], lists.points[t[2]]}).flat;
 }
 
-/// Drops faces of zero area where that leaves no gap.
+/// Drops faces of zero area whose removal leaves no gap.
 class FlatFaces {
  public:
   FlatFaces(const MeshLists& lists, std::vector<bool>& kept)
@@ -49,7 +49,7 @@ class FlatFaces {
  private:
   struct Edge {
     std::span<const FaceSide> sides;
-    std::size_t faces;  ///< that have not been dropped
+    std::size_t faces;  ///< the number of faces not yet dropped
   };
 
   void join() {
@@ -73,7 +73,7 @@ class FlatFaces {
     return shared == 0 || (shared == 1 && boundary == 2);
   }
 
-  /// An edge has one face less. Where one is left, that may now be droppable.
+  /// Removes one face from an edge. If one face remains, this face may have become droppable.
   void leave(std::uint32_t edge) {
     if (--edges_[edge].faces != 1) return;
     for (const FaceSide& s : edges_[edge].sides) {

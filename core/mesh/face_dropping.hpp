@@ -1,4 +1,4 @@
-// Faces are dropped from raw lists where a surface does without them.
+// Face dropping finds the faces of raw lists that a surface does not need.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@ namespace talweg {
 
 struct DroppedFaces {
   std::vector<std::uint32_t> collapsed;  ///< faces that name a vertex twice; ascending
-  std::vector<RepeatPlace> duplicates;   ///< faces that repeat an earlier one; ascending
+  std::vector<RepeatPlace> duplicates;   ///< faces with the vertices of an earlier face; ascending
   std::vector<std::uint32_t> zero_area;  ///< ascending
   std::vector<bool> kept;                ///< per face
 };
 
-/// Finds faces that name a vertex twice, repeat the vertices of an earlier one, or have zero area
-/// and leave no gap when dropped: none of their edges has just one other face, or only one edge
-/// joins them to the rest at the boundary. Every index must be in range. O(faces log degree).
-/// Worse: many flat faces at one edge, the square of their number.
+/// Finds the faces to drop: faces that name a vertex twice, faces with the vertices of an earlier
+/// face, and faces of zero area whose removal leaves no gap. No gap is left if no edge of the face
+/// has exactly one other face, or if two edges of the face are boundary. Every index must be in
+/// range. O(faces log degree); n flat faces at one edge cost O(n²).
 DroppedFaces faces_to_drop(const MeshLists& lists);
 
-/// Faces with the same three vertices as an earlier one; faces that are not `proper` are skipped.
-/// Ascending. O(faces log degree).
+/// The faces with the same three vertices as an earlier face, ascending; faces that are not
+/// `proper` are skipped. O(faces log degree).
 std::vector<RepeatPlace> duplicate_faces(const MeshLists& lists, const std::vector<bool>& proper);
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// Mesh attributes are what a file says beside its geometry: normals, colours, labels, ...
+// Mesh attributes are a file's data beside the geometry: normals, colours, labels, ...
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ namespace talweg {
 inline constexpr std::array<std::string_view, 3> kNormals{"nx", "ny", "nz"};
 inline constexpr std::array<std::string_view, 4> kColours{"red", "green", "blue", "alpha"};
 
-/// How the value of a point between corners follows from theirs.
+/// The interpolation of an attribute at a point between corners.
 enum class Carry : std::uint8_t {
-  kByName,    ///< as carried_to() says
+  kByName,    ///< depends on the name, see carried_to()
   kLinear,    ///< interpolated
   kRounded,   ///< interpolated, and rounded to a whole number
-  kNearest,   ///< that of the nearest corner
-  kDirection  ///< three numbers, interpolated and made as long as one
+  kNearest,   ///< the value of the nearest corner
+  kDirection  ///< three columns, interpolated and normalised
 };
 
 /// A number for every vertex, or for every face.
 struct AttributeColumn {
   std::string name;                        ///< "nx", "red", "quality", ...; printable, no blanks
-  NumberType type = NumberType::kFloat32;  ///< how it is stored
+  NumberType type = NumberType::kFloat32;  ///< of the numbers in the file
   std::vector<double> values;
-  Carry carry = Carry::kByName;  ///< three columns of a direction follow each other
-  std::optional<double> fill;    ///< of elements that come from nowhere; default: by its name
+  Carry carry = Carry::kByName;  ///< the three columns of a direction are consecutive
+  std::optional<double> fill;    ///< value without a source; default: depends on the name
 };
 
 /// Numbers at the corners of faces; corners may share them.
@@ -51,8 +51,8 @@ struct FaceNames {
   std::vector<std::uint32_t> of_face;  ///< index of names
 };
 
-/// Made by read_mesh(), for as many vertices and faces as the lists have. The triangles of one
-/// polygon have the polygon's attributes.
+/// Attributes per vertex and per face of the mesh lists, as read_mesh() returns them. The triangles
+/// of a polygon have its attributes.
 struct MeshAttributes {
   std::vector<AttributeColumn> vertices, faces;
   CornerAttribute texture, normals;

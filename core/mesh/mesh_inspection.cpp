@@ -18,7 +18,8 @@
 namespace talweg {
 namespace {
 
-/// Which faces have three different vertices that exist; the others are recorded as defects.
+/// Per face, whether it has three different vertices that exist; other faces are recorded as
+/// defects.
 std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
   std::vector<bool> proper(lists.triangles.size(), true);
   for (std::size_t f = 0; f < lists.triangles.size(); ++f) {
@@ -38,7 +39,7 @@ std::vector<bool> proper_faces(const MeshLists& lists, MeshInspection& found) {
   return proper;
 }
 
-/// Which vertices some face uses.
+/// Per vertex, whether a face uses it.
 std::vector<bool> used_vertices(const MeshLists& lists) {
   std::vector<bool> used(lists.points.size(), false);
   for (const Triangle& t : lists.triangles) {
@@ -49,7 +50,7 @@ std::vector<bool> used_vertices(const MeshLists& lists) {
   return used;
 }
 
-/// Joins the elements that edges connect.
+/// Counts components, boundary loops and non-manifold places by joining elements across edges.
 class Topology {
  public:
   Topology(const MeshLists& lists, std::vector<bool> proper, MeshInspection& found)
@@ -104,8 +105,8 @@ class Topology {
     found_.edge_length_mean += (length - found_.edge_length_mean) / static_cast<double>(measured_);
   }
 
-  /// Element 2f means face f as it is, 2f + 1 the face turned around; faces that must be turned
-  /// together are in one set, so a surface is one-sided where a face must be both.
+  /// Element 2f stands for face f with its orientation, 2f + 1 for face f turned around. Elements
+  /// that imply each other are joined. A surface is one-sided if 2f and 2f + 1 are in one set.
   void join_turned(std::uint32_t f, std::uint32_t g, bool same_way) {
     const std::uint32_t turn = same_way ? 1 : 0;
     turned_.join(2 * f, 2 * g + turn);
@@ -131,7 +132,7 @@ class Topology {
       if (fans[v] > 0) ++in_topology;
       if (fans[v] > 1) found_.non_manifold_vertices.add(v);
     }
-    // Every connected set of boundary edges is counted at its smallest vertex.
+    // A connected set of boundary edges is counted at its smallest vertex.
     std::sort(on_boundary_.begin(), on_boundary_.end());
     on_boundary_.erase(std::unique(on_boundary_.begin(), on_boundary_.end()), on_boundary_.end());
     for (const std::uint32_t v : on_boundary_) {

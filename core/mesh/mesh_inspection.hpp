@@ -1,4 +1,4 @@
-// An inspection tells what a mesh is and what is wrong with it, from its raw lists.
+// An inspection describes a mesh and its defects, from its raw lists.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// How often a defect occurs, and its first few places by ascending id.
+/// The number of occurrences of a defect, and the places of the first few, by ascending id.
 template <class Place>
 struct Defect {
   static constexpr std::size_t kPlaces = 5;
@@ -38,7 +38,7 @@ struct FaceIndexPlace {
   std::uint32_t vertex = 0;
 };
 
-/// An element and the earlier one that it repeats.
+/// An element and the earlier element that it repeats.
 struct RepeatPlace {
   std::uint32_t element = 0;
   std::uint32_t earlier = 0;
@@ -50,66 +50,67 @@ enum class MeshVerdict { kUsable, kRepairable, kUnusable };
 /// out of range or a repeated vertex are ignored in the topology; faces with a non-finite corner
 /// are ignored in the measures.
 struct MeshInspection {
-  // What it is.
-  std::size_t vertices = 0;      ///< includes those in no face
-  std::size_t faces = 0;         ///< triangles, polygons counted as theirs
-  std::size_t polygons = 0;      ///< faces of the file that had more than three corners
+  // Description.
+  std::size_t vertices = 0;      ///< including vertices without a face
+  std::size_t faces = 0;         ///< triangles; a polygon counts with its triangles
+  std::size_t polygons = 0;      ///< faces of the file with more than three corners
   PolygonShapes polygon_shapes;  ///< of the file
   std::size_t edges = 0;
-  std::size_t components = 0;             ///< sets of faces joined by edges
-  std::size_t boundary_edges = 0;         ///< edges with one face
-  std::size_t boundary_loops = 0;         ///< connected sets of boundary edges
-  std::int64_t euler_characteristic = 0;  ///< used vertices - edges + faces
-  std::optional<std::int64_t> genus;      ///< of all components together, if manifold
-  bool orientable = true;          ///< turning faces around would make the orientation consistent
-  bool single_precision = false;   ///< the file stores 32-bit floats
-  std::optional<LengthUnit> unit;  ///< of the coordinates, if the file has one
-  PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file says it
+  std::size_t components = 0;                   ///< sets of faces joined by edges
+  std::size_t boundary_edges = 0;               ///< edges with one face
+  std::size_t boundary_loops = 0;               ///< connected sets of boundary edges
+  std::int64_t euler_characteristic = 0;        ///< used vertices - edges + faces
+  std::optional<std::int64_t> genus;            ///< of all components together, if manifold
+  bool orientable = true;                       ///< faces can be turned to a consistent orientation
+  bool single_precision = false;                ///< the file stores 32-bit floats
+  std::optional<LengthUnit> unit;               ///< of the coordinates, if the file has it
+  PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file has it
   std::vector<std::string> notes;               ///< of the reader (MeshLists)
 
   // Defects that keep a mesh from being opened.
   Defect<FaceIndexPlace> indices_out_of_range;  ///< counted once per face
-  Defect<std::uint32_t> non_finite_vertices;    ///< of faces; or beyond kLargestCoordinate
+  Defect<std::uint32_t> non_finite_vertices;  ///< vertices of faces; also beyond kLargestCoordinate
   Defect<std::uint32_t> repeated_vertex_faces;  ///< faces that name a vertex twice
   Defect<RepeatPlace> duplicate_faces;          ///< same three vertices, in any order
   Defect<EdgePlace> non_manifold_edges;         ///< more than two faces
-  Defect<EdgePlace> misoriented_edges;          ///< two faces that run along it the same way
+  Defect<EdgePlace> misoriented_edges;          ///< two faces with the same direction along it
   Defect<std::uint32_t> non_manifold_vertices;  ///< faces form more than one fan (bow-tie)
 
-  // Oddities that are handled.
+  // Harmless defects.
   Defect<std::uint32_t> isolated_vertices;  ///< in no face
-  Defect<std::uint32_t> stray_vertices;     ///< those of them whose coordinates are not finite
-  Defect<RepeatPlace> duplicate_positions;  ///< vertices at exactly the position of an earlier one
-  Defect<std::uint32_t> zero_area_faces;    ///< flat up to the rounding of their coordinates
+  Defect<std::uint32_t> stray_vertices;  ///< isolated vertices with coordinates that are not finite
+  Defect<RepeatPlace> duplicate_positions;  ///< vertices at the position of an earlier vertex
+  Defect<std::uint32_t> zero_area_faces;    ///< area 0 up to the rounding of the coordinates
   Defect<std::uint32_t> needle_faces;       ///< smallest angle < 1 degree; includes zero-area faces
 
   // Measures.
   std::array<double, 3> box_min{};
   std::array<double, 3> box_max{};
-  double coordinate_max = 0;     ///< the largest absolute value of a coordinate, but of strays
+  double coordinate_max = 0;     ///< largest absolute coordinate, without stray vertices
   double edge_length_min = 0;    ///< mesh units
   double edge_length_mean = 0;   ///< mesh units
   double edge_length_max = 0;    ///< mesh units
-  double edge_length_least = 0;  ///< of the edges longer than 0; 0 if there are none
-  double smallest_angle = 0;     ///< of the faces whose area is not zero
-  double offset = 0;             ///< distance of the box's centre from the origin
-  double size = 0;               ///< the box's diagonal
+  double edge_length_least = 0;  ///< shortest length above 0, mesh units; 0 if there is none
+  double smallest_angle = 0;     ///< radians, of the faces with an area
+  double offset = 0;             ///< distance of the box's centre from the origin, mesh units
+  double size = 0;               ///< diagonal of the box, mesh units
 
   MeshVerdict verdict = MeshVerdict::kUnusable;  ///< set by judge()
   std::string reason;                            ///< the verdict in one sentence
   std::string steps;  ///< if kRepairable: the needed steps for repair_steps(), "drop,split"
 };
 
-/// Inspects everything. O(faces log degree); never throws on bad lists.
+/// Fills every field. O(faces log degree); does not throw on bad lists.
 MeshInspection inspect(const MeshLists& lists);
 
-/// The first reason not to open the mesh as one sentence, with the number of offenders and the
-/// place of the first: "33 edges have more than two faces (first: ...)."; empty if there is none.
+/// The first reason not to open the mesh as one sentence, with the number of defects and the place
+/// of the first: "33 edges have more than two faces (first: ...)."; empty if the mesh can be
+/// opened.
 std::string obstacle(const MeshInspection& inspection);
 
-/// A sentence like obstacle()'s that names a coordinate or length outside the supported range
-/// (measurable_point.hpp); empty if there is none. O(faces); without an inspection if there is
-/// none.
+/// A sentence like that of obstacle() about a coordinate or length outside the supported range
+/// (measurable_point.hpp); empty if all are inside. O(faces); the mesh is inspected only if the
+/// sentence is needed.
 std::string out_of_range(const MeshLists& lists);
 
 /// Sets verdict, reason and steps from the other fields. A one-sided surface (Moebius strip) is not

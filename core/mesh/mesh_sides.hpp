@@ -1,4 +1,5 @@
-// Mesh sides are the sides of the faces in raw lists, put together to edges whatever their number.
+// Mesh sides are the sides of faces in raw lists, grouped by edge, for any number of faces per
+// edge.
 #pragma once
 
 #include <algorithm>
@@ -21,17 +22,17 @@ struct FaceSide {
   [[nodiscard]] std::uint32_t face() const { return side / 3; }
 };
 
-/// The vertex where the side begins, in its face's direction.
+/// The vertex where the side begins in the direction of its face.
 inline std::uint32_t tail(const MeshLists& lists, const FaceSide& s) {
   return lists.triangles[s.side / 3][s.side % 3];
 }
-/// The corner (3 face + corner) of the side's face at one of the side's ends.
+/// The corner (3 face + corner) of the side's face at `vertex`, an end of the side.
 inline std::uint32_t corner_at(const MeshLists& lists, const FaceSide& s, std::uint32_t vertex) {
   return tail(lists, s) == vertex ? s.side : 3 * s.face() + (s.side % 3 + 1) % 3;
 }
 
-/// Stable sort of items by a key in [0, keys), and among equal keys by `less`. O(keys + n log of
-/// the items that share a key).
+/// Sorts items by a key in [0, keys), and items of equal key by `less`. O(keys + n log m) with at
+/// most m items of one key.
 template <class Item, class Key, class Less>
 std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, Key key,
                               Less less) {
@@ -47,8 +48,8 @@ std::vector<Item> bucket_sort(const std::vector<Item>& items, std::size_t keys, 
   return sorted;
 }
 
-/// The sides of the faces that are `proper` (three different vertices that exist), grouped by edge
-/// and within an edge by ascending face. O(vertices + faces log degree).
+/// The sides of the `proper` faces (three different vertices that exist), grouped by edge, and by
+/// ascending face within an edge. O(vertices + faces log degree).
 inline std::vector<FaceSide> sorted_sides(const MeshLists& lists, const std::vector<bool>& proper) {
   std::vector<FaceSide> sides;
   sides.reserve(3 * lists.triangles.size());
@@ -81,7 +82,7 @@ void for_each_edge(std::span<const FaceSide> sides, Visit visit) {
   }
 }
 
-/// The edge formed by these sides.
+/// The vertices and faces of an edge, given by its sides.
 inline EdgePlace place_of(std::span<const FaceSide> edge) {
   EdgePlace place{{edge[0].low, edge[0].high}, {}};
   for (const FaceSide& s : edge.first(std::min(edge.size(), EdgePlace::kFaces))) {

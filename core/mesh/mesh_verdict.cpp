@@ -1,4 +1,4 @@
-// Sentences of an inspection: what is in the way of opening the mesh, and the verdict.
+// The sentences of an inspection: the obstacle to opening the mesh, and the verdict.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -23,12 +23,13 @@ std::string faces_text(const std::vector<std::uint32_t>& faces) {
   return result;
 }
 
-/// "1 face has" or "7 faces have": the words for one and for several follow the number.
+/// "1 face has" or "7 faces have": the number with the words for one or for several.
 std::string counted(std::size_t n, const char* one, const char* several) {
   return text(n) + (n == 1 ? one : several);
 }
 
-/// Completes "1 edge has more than two faces" with its place, or with that of the first of many.
+/// Completes "1 edge has more than two faces" with its place, or "7 edges have ..." with the first
+/// place.
 std::string placed(std::string sentence, std::size_t count, const std::string& place) {
   return std::move(sentence) + (count == 1 ? " (" : " (first: ") + place + ").";
 }
@@ -46,7 +47,7 @@ std::string element_sentence(const Defect<std::uint32_t>& defect, const char* ki
                 std::string(kind) + " " + text(defect.first.front()));
 }
 
-/// A sentence if lengths are so small that their products underflow.
+/// A sentence if the size or an edge is so short that products of lengths underflow; else empty.
 std::string too_small(const MeshInspection& m) {
   if (m.size > 0 && m.size < kSmallestSize) {
     return fmt::format(
@@ -75,7 +76,7 @@ std::string beyond_range(const MeshInspection& m) {
                 "vertex " + text(all.first.front()) + largest);
 }
 
-/// A defect that no repair can fix.
+/// A sentence about a defect that repair() cannot fix; empty if there is none.
 std::string fatal(const MeshInspection& m) {
   if (m.vertices == 0) return "The mesh has no vertices.";
   if (m.faces == 0) return "The mesh has vertices but no faces.";
@@ -118,7 +119,8 @@ std::string mendable(const MeshInspection& m) {
   return "";
 }
 
-/// The steps that fix the mesh. Dropping faces can leave two of the same direction at an edge.
+/// The repair steps that fix the mesh. Dropping faces at an edge with more than two can leave two
+/// of the same direction, so "orient" is added.
 std::string needed_steps(const MeshInspection& m) {
   const bool drop = m.repeated_vertex_faces.found() || m.duplicate_faces.found();
   const bool crowded = m.non_manifold_edges.found();

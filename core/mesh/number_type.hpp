@@ -1,4 +1,4 @@
-// A number type says how a number is stored.
+// The number types of attributes in files.
 #pragma once
 
 #include <array>

@@ -53,7 +53,8 @@ std::shared_ptr<const HeatDistance> OpenedMesh::heat(double time_scale, const Pr
   HeatOptions options;
   options.time_scale = time_scale;
   options.threads = threads;
-  if (heat_.size() == kKept) heat_.pop_back();  // first, so that there are never three
+  if (heat_.size() == kKept)
+    heat_.pop_back();  // before making the new one, so that at most two exist
   std::optional<HeatDistance> made = HeatDistance::open(surface(), options, progress);
   if (!made) return nullptr;
   auto heat = std::make_shared<const HeatDistance>(std::move(*made));

@@ -1,4 +1,4 @@
-// An opened mesh has everything that curves need and that depends on the mesh alone.
+// An opened mesh holds the data for smoothing that depends on the mesh only, not on curves.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace talweg {
 
-/// The first stage, shared by any number of smoothers and threads. Only the heat factors, which
-/// take most of the time of opening, are made later, when they are first needed.
+/// Any number of smoothers and threads can share an opened mesh. The Cholesky factors of the heat
+/// method, which take most of the time, are made on first use.
 class OpenedMesh {
  public:
   /// Throws Error(kBadMesh) as SurfaceMesh::open does.
@@ -27,14 +27,14 @@ class OpenedMesh {
   [[nodiscard]] double open_ms() const { return open_ms_; }
 
   /// The mesh's smooth_ground(), made on first use; safe to call from any thread. O(mesh), once.
-  /// Throws Cancelled; then nothing is made.
+  /// Throws Cancelled; the next call then starts anew.
   [[nodiscard]] std::shared_ptr<const OpenedMesh> ground(const Progress& progress = {}) const;
 
-  /// The heat solver for this time scale (in units of h²), factored on first use; safe to call from
-  /// any thread. The two most recently used solvers are kept, so a slider of the time scale costs
-  /// the memory of two; others are freed when nobody holds them any more. nullptr when cancelled,
-  /// also while another thread is factoring. Throws as HeatDistance does. At most `threads` threads
-  /// are used; their number does not change the result.
+  /// The heat solver for a time scale (in units of h²), factored on first use; safe to call from
+  /// any thread. The mesh keeps the two most recently used solvers; older solvers are freed when
+  /// the last caller releases them. nullptr when cancelled, also while another thread is factoring.
+  /// Throws as HeatDistance does. At most `threads` threads are used; their number does not change
+  /// the result.
   [[nodiscard]] std::shared_ptr<const HeatDistance> heat(double time_scale,
                                                          const Progress& progress = {},
                                                          unsigned threads = 2) const;
@@ -48,7 +48,7 @@ class OpenedMesh {
   mutable std::mutex mutex_;
   mutable std::mutex ground_mutex_;
   mutable std::shared_ptr<const OpenedMesh> ground_;
-  mutable std::vector<Heat> heat_;  // by time scale, the most recently used one first
+  mutable std::vector<Heat> heat_;  // with its time scale; the most recently used first
 };
 
 }  // namespace talweg

@@ -13,17 +13,18 @@
 namespace talweg {
 namespace {
 
-constexpr double kPlane = 1e-5;  // of the size: the same as for rims that are closed
+constexpr double kPlane = 1e-5;  // fraction of the size; equal to the limit for rims of lids
 
-/// One polygon, laid into the plane across Newell's normal and scaled to a size of about 1.
+/// A polygon, projected to the plane perpendicular to Newell's normal and scaled to size 1.
 class LaidPolygon {
  public:
-  /// False if it cannot be laid: it has no area, or corners that cannot be measured.
+  /// Projects the polygon. False if it has no area, or a corner that cannot be measured.
   bool lay(const MeshLists& lists, std::span<const std::uint32_t> corners);
 
   [[nodiscard]] bool concave() const { return concave_; }
   [[nodiscard]] double distance() const { return distance_; }
-  /// Whether the fan from the first corner covers it, so that no triangle is turned over.
+  /// Whether the fan from the first corner triangulates the polygon: no triangle is turned over and
+  /// the fan does not overlap itself.
   [[nodiscard]] bool is_fan() const;
   [[nodiscard]] std::vector<PolygonTriangle> ears() const { return clip_ears(plane_, rounding_); }
 
@@ -34,9 +35,9 @@ class LaidPolygon {
     return {plane_[a], plane_[b], plane_[c], rounding_};
   }
 
-  std::vector<Point> points_;  // from the first corner, in parts of the size
+  std::vector<Point> points_;  // relative to the first corner, divided by the size
   std::vector<PlanePoint> plane_;
-  double rounding_ = 0;  // of the coordinates in the plane
+  double rounding_ = 0;  // rounding error of the coordinates in the plane
   double distance_ = 0;
   bool concave_ = false;
   bool convex_ = false;
@@ -81,8 +82,8 @@ void LaidPolygon::project(const Point& normal) {
   }
 }
 
-/// A polygon whose corners all turn left may go around several times, like a pentagram: then it
-/// changes its direction along x more than twice.
+/// A polygon whose corners all turn left may still wind around more than once, like a pentagram.
+/// Such a polygon changes its direction along x more than twice, a convex polygon twice.
 void LaidPolygon::look_at_turns() {
   const std::size_t n = plane_.size();
   std::size_t changes = 0;
@@ -109,7 +110,7 @@ bool LaidPolygon::is_fan() const {
   return around < 2 * std::numbers::pi;
 }
 
-/// The polygons of lists, one after the other.
+/// Triangulates the polygons of the lists, and moves the corners of attributes with them.
 class Triangulation {
  public:
   Triangulation(MeshLists& lists, MeshAttributes* attributes) : lists_(lists) {
@@ -120,7 +121,7 @@ class Triangulation {
   }
 
   void run() {
-    std::size_t more = 0;  // triangles than faces in the file, so far
+    std::size_t more = 0;  // excess of triangles over faces of the file, so far
     for (const Polygon& polygon : lists_.polygons) {
       triangulate(polygon, static_cast<std::uint32_t>(polygon.first - more));
       more += polygon.corners - 3;
@@ -202,7 +203,7 @@ std::vector<PolygonCorner> outline(const std::vector<Triangle>& all,
     return std::pair{a.from, a.to} < std::pair{b.from, b.to};
   };
   std::sort(sides.begin(), sides.end(), by_ends);
-  std::vector<Side> around;  // sides without one that runs the other way
+  std::vector<Side> around;  // sides without an opposite side
   for (const Side& s : sides) {
     if (!std::binary_search(sides.begin(), sides.end(), Side{s.to, s.from, {}}, by_ends)) {
       around.push_back(s);

@@ -1,4 +1,5 @@
-// Polygon triangulation turns the fans that readers make of polygons into triangles inside them.
+// Polygon triangulation replaces the fans that readers make of polygons where a fan leaves its
+// polygon.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +11,12 @@
 
 namespace talweg {
 
-/// triangulate_polygons() of mesh_lists.hpp; the attributes of corners follow.
+/// triangulate_polygons() of mesh_lists.hpp that also rearranges the attributes at corners.
 void triangulate_polygons(MeshLists& lists, MeshAttributes* attributes);
 
 /// The corners around the triangles of one polygon, from the first corner of the first triangle.
-/// Empty if they are not one disc whose vertices all lie on its boundary, once each: then there is
-/// no such polygon. O(triangles log triangles).
+/// Empty if the triangles do not form a disc whose boundary visits each of their vertices once.
+/// O(triangles log triangles).
 std::vector<PolygonCorner> outline(const std::vector<Triangle>& all,
                                    std::span<const std::uint32_t> triangles);
 

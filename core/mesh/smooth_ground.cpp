@@ -11,11 +11,13 @@
 namespace talweg {
 namespace {
 
-constexpr std::array<double, 3> kScales{2, 4, 6};  // edges
-constexpr double kFull = 1.35;  // of noise the scale of 2 edges takes three quarters away
+constexpr std::array<double, 3> kScales{2, 4, 6};  // s, in edges
+constexpr double kFull =
+    1.35;  // of white noise, about 1 / 1.35 of the amplitude is finer than 2 edges
 
-/// The normals of the faces around each vertex with its own part `finer` taken away; not of unit
-/// length, 0 where there is none. Only faces whose corners are all in the graph count.
+/// The unit normal at each vertex of the surface without its fine parts `finer`: the normalised sum
+/// of the area vectors of the faces around; 0 where the sum is 0 or a neighbour is not in the
+/// graph.
 std::vector<Point> normals_without(const VertexGraph& graph, const SurfaceMesh& mesh,
                                    const std::vector<Point>& finer) {
   std::vector<Point> places(graph.size());
@@ -37,7 +39,7 @@ std::vector<Point> normals_without(const VertexGraph& graph, const SurfaceMesh& 
   return normals;
 }
 
-/// The mean length of the edges at each vertex.
+/// The mean length of the edges at each vertex, mesh units.
 std::vector<double> edge_lengths(const VertexGraph& graph, const SurfaceMesh& mesh) {
   std::vector<double> lengths(graph.size(), 0);
   for (std::size_t i = 0; i < graph.size(); ++i) {
@@ -52,18 +54,18 @@ std::vector<double> edge_lengths(const VertexGraph& graph, const SurfaceMesh& me
   return lengths;
 }
 
-/// What lies off the surface, per vertex of a graph.
+/// The fine relief of a surface, per vertex of a graph.
 struct Relief {
-  std::vector<std::vector<Point>> parts;  ///< finer than each scale, along the normal left there
-  std::vector<double> roughness;          ///< edge lengths
+  std::vector<std::vector<Point>> parts;  ///< per scale, the part finer than the scale
+  std::vector<double> roughness;          ///< σ, in edge lengths
 };
 
-/// What is left of the parts along the normals.
+/// Projects the parts onto the normals.
 void keep_along(const std::vector<Point>& normals, std::vector<Point>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i].dot(normals[i]) * normals[i];
 }
 
-/// The squares of the parts along the normals, each with its surroundings.
+/// The squares of the parts along the normals, averaged over the surroundings of each vertex.
 std::vector<double> mean_squares(const VertexGraph& graph, const std::vector<Point>& normals,
                                  const std::vector<Point>& parts, Asker& asker) {
   std::vector<double> squares(parts.size());
@@ -94,8 +96,8 @@ Relief relief_of(const VertexGraph& graph, const SurfaceMesh& mesh, std::span<co
   return relief;
 }
 
-/// What of a vertex is finer than the scale that its roughness asks for: between two scales,
-/// between their parts.
+/// The part of vertex i finer than the scale 10 √(σ − kLeastRoughness) edges, at most 6 edges,
+/// interpolated between the parts of the computed scales.
 Point part_at(const Relief& relief, std::size_t i) {
   constexpr double kEdges = 10;
   const double rough = relief.roughness[i] - kLeastRoughness;
@@ -112,7 +114,8 @@ Point part_at(const Relief& relief, std::size_t i) {
   return below;
 }
 
-/// Vertices at so many points, evenly spread over those of the curves; each once.
+/// Vertices near at most `most` points, evenly spread over the points of the curves, without
+/// repeats.
 std::vector<VertexId> vertices_along(const Surface& surface, std::span<const SurfaceCurve> curves,
                                      std::size_t most) {
   std::vector<const SurfacePoint*> points;
@@ -141,11 +144,11 @@ double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
   const std::vector<VertexId> beside = vertices_along(mesh.surface(), curves, kPlaces);
   if (beside.empty()) return 0;
   const VertexGraph graph(mesh.surface(), beside, kRings);
-  constexpr std::size_t kFew = 200;  // vertices that cannot tell noise from shape
+  constexpr std::size_t kFew = 200;  // fewer vertices cannot tell noise from shape
   if (graph.size() < kFew) return 0;
   Relief relief = relief_of(graph, mesh, std::span(kScales).first(2), asker);
   std::vector<double>& rough = relief.roughness;
-  rough.resize(beside.size());  // the graph has them first
+  rough.resize(beside.size());  // the seeds are the first vertices of the graph
   const auto quartile = rough.begin() + static_cast<std::ptrdiff_t>(3 * rough.size() / 4);
   std::nth_element(rough.begin(), quartile, rough.end());
   return *quartile;

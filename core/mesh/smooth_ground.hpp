@@ -1,4 +1,4 @@
-// A smooth ground is a mesh without the roughness of its scan.
+// A smooth ground is a mesh without the noise of its scan.
 #pragma once
 
 #include <span>
@@ -9,25 +9,25 @@
 
 namespace talweg {
 
-/// In edge lengths: what is less rough counts as smooth. Clean scans and CAD stay below it.
+/// In edge lengths: a surface with a smaller roughness σ counts as smooth. Clean scans and CAD stay
+/// below this limit.
 constexpr double kLeastRoughness = 0.04;
 
-/// How rough the mesh is along curves, in edge lengths there: the root mean square of what its
-/// vertices lie off the surface that they mean, where that is a noise. A vertex is rough by σ with
-/// σ² = (4 d₂² − d₄²) / 3, where d_s is the root mean square over its surroundings of what is finer
-/// than s edges (finer_parts()), along the normal of the surface that is left at 4 edges. Of noise,
-/// d₂ and d₄ are nearly the same; at a crease d₄ is twice d₂, on a bent surface more, and nothing
-/// is left. The upper quartile over 24 vertices along the curves counts;
-/// 0 where fewer than 200 vertices are near, which cannot tell noise from shape. O(vertices within
-/// eight edges of these, and points), and a number for each vertex of the mesh is set to 0. Throws
-/// Cancelled.
+/// The roughness σ of the mesh along curves: the root mean square of the noise of vertices along
+/// the normal, in local edge lengths. At a vertex, σ² ∝ (4 d₂² − d₄²) / 3, where d_s is the root
+/// mean square, over the surroundings, of the part finer than s edges (finer_parts()), along the
+/// normal of the surface without its parts finer than 4 edges. For noise, d₂ and d₄ are nearly
+/// equal. At a crease d₄ = 2 d₂, on a curved surface d₄ is larger, so σ = 0. The result is the
+/// upper quartile of σ over 24 vertices along the curves; 0 if fewer than 200 vertices are near,
+/// because so few cannot tell noise from shape. O(vertices within eight edges of these + points)
+/// and an array over all vertices. Throws Cancelled.
 double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const Progress& progress = {});
 
-/// The same faces with each vertex moved along the normal of the surface around it, so that what is
-/// finer than 8 √(σ − kLeastRoughness) edges is gone, up to 6 edges; vertices that are less rough
-/// stay exactly where they are. Since vertices do not move along the surface, a curve that is fair
-/// there is also fair here as it is seen from outside. O(mesh). Throws Cancelled.
+/// The mesh with each vertex moved along the normal of its surroundings, which removes the parts
+/// finer than 10 √(σ − kLeastRoughness) edges, at most 6 edges. Vertices with σ <= kLeastRoughness
+/// stay exactly in place. Vertices do not move along the surface, so a curve that is fair on the
+/// smooth ground is also fair on the mesh when seen along the normal. O(mesh). Throws Cancelled.
 SurfaceMesh smooth_ground(const SurfaceMesh& mesh, const Progress& progress = {});
 
 }  // namespace talweg

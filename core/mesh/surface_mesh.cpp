@@ -12,14 +12,14 @@
 namespace talweg {
 namespace {
 
-/// Checks for the obstacles of inspect() that Surface::from_triangles does not find.
+/// Checks for the defects that Surface::from_triangles() does not find, except pillows and sizes.
 bool acceptable(const MeshLists& lists) {
   if (lists.points.empty() || lists.triangles.empty()) return false;
   return all_measurable(lists);
 }
 
-/// Vertices without a face that cannot be measured get the place of one that can: boxes around all
-/// points stay finite, and no curve comes there.
+/// Moves isolated vertices that cannot be measured to the position of a measurable vertex. Boxes
+/// around all points stay finite, and no curve passes an isolated vertex.
 void place_strays(std::vector<Point>& points) {
   const auto measurable = std::find_if(points.begin(), points.end(), can_be_measured);
   if (measurable == points.end()) return;
@@ -41,7 +41,8 @@ Surface connect(const MeshLists& lists) {
   }
 }
 
-/// Two faces glued back to back form a closed pillow, which connectivity alone would allow.
+/// Whether two faces share all three edges (a closed pillow), which Surface::from_triangles()
+/// accepts.
 bool has_pillow(const Surface& surface) {
   for (std::size_t f = 0; f < surface.face_count(); ++f) {
     const HalfedgeId h = surface.halfedge(FaceId{f});
@@ -66,8 +67,9 @@ Surface checked_surface(const MeshLists& lists) {
   return surface;
 }
 
-/// An edge of no length gets this fraction of its faces' longest side. Beside a face with a side of
-/// length 0 no edge can be flipped, so a path over a row of such faces would stay bent.
+/// An edge of length 0 gets this fraction of the longest side of its faces. No edge of a face with
+/// a side of length 0 can be flipped, so a path across a row of such faces could not be
+/// straightened.
 constexpr double kNoLength = 1e-12;
 
 double instead_of_zero(const Surface& surface, const std::vector<double>& lengths, EdgeId e) {
@@ -112,7 +114,8 @@ bool large_enough(const MeshLists& lists) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Point& p = lists.points[t[k]];
       const Point& q = lists.points[t[(k + 1) % 3]];
-      if ((q - p).squaredNorm() > 2 * kShortestEdge * kShortestEdge) continue;  // most of them
+      if ((q - p).squaredNorm() > 2 * kShortestEdge * kShortestEdge)
+        continue;  // avoids the square root
       const double length = point_distance(p, q);
       if (length > 0 && length < kShortestEdge) return false;
     }
@@ -189,7 +192,7 @@ Point SurfaceMesh::position(const SurfacePoint& point) const {
   }
   const auto& inside = std::get<InFace>(point.where());
   const std::array<VertexId, 3> corner = surface_.corners(inside.face);
-  // Relative to a corner, so that no digits are lost far from the origin.
+  // Interpolation relative to a corner loses no digits far from the origin.
   const Point& base = this->point(corner[0]);
   return base + inside.barycentric[1] * (this->point(corner[1]) - base) +
          inside.barycentric[2] * (this->point(corner[2]) - base);

@@ -9,7 +9,7 @@ namespace talweg {
 namespace {
 
 constexpr std::size_t kMostDegree = 20;
-constexpr double kTime = 0.61;  // a wave 2π s / √8 edges long is halved, where λ = 2 / s²
+constexpr double kTime = 0.61;  // halves waves of 2π s / √8 edges, whose eigenvalue is λ = 2 / s²
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
 
 /// Visits each neighbour of a vertex.
@@ -27,7 +27,7 @@ void for_each_neighbour(const Surface& surface, VertexId v, const Visit& visit) 
 
 using Coefficients = std::vector<double>;
 
-/// Of (1 − exp(−tλ))² / λ over x = λ − 1 in [−1, 1], at Chebyshev's points.
+/// The Chebyshev coefficients of (1 − exp(−tλ))² / λ as a function of x = λ − 1 in [−1, 1].
 Coefficients coefficients_of(double scale, std::size_t degree) {
   const double t = kTime * scale * scale;
   const std::size_t points = degree + 1;
@@ -45,13 +45,14 @@ Coefficients coefficients_of(double scale, std::size_t degree) {
   return c;
 }
 
-/// `values` minus the means of their neighbours; 0 at vertices that are not whole.
+/// L applied to `values`: each value minus the mean of its neighbours; 0 at vertices that are not
+/// whole.
 std::vector<Point> rough_part(const VertexGraph& graph, std::span<const Point> values) {
   std::vector<Point> result(graph.size(), Point::Zero());
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const auto neighbours = graph.neighbours(i);
     if (!graph.is_whole(i) || neighbours.empty()) continue;
-    // Differences first: they keep their digits far from the origin.
+    // Summing differences keeps the digits far from the origin.
     Point sum = Point::Zero();
     for (const std::uint32_t j : neighbours) sum += values[i] - values[j];
     result[i] = sum / static_cast<double>(neighbours.size());
@@ -59,7 +60,7 @@ std::vector<Point> rough_part(const VertexGraph& graph, std::span<const Point> v
   return result;
 }
 
-/// The means of the neighbours, negative: what x = L − 1 does.
+/// Applies x = L − 1: the negative mean of the neighbours.
 void negative_means(const VertexGraph& graph, const std::vector<Point>& values,
                     std::vector<Point>& result) {
   for (std::size_t i = 0; i < graph.size(); ++i) {
@@ -120,7 +121,7 @@ std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const double> scales, Asker& asker) {
   std::vector<Point> last = rough_part(graph, positions);  // L p
   std::vector<Point> now(graph.size()), next(graph.size());
-  // Of 14 for 4 edges and 20 for 6: no scale's polynomial is off by more than 0.003.
+  // Degree 14 for 4 edges, 20 for 6: the error of the polynomials is at most 0.003.
   const double widest = *std::max_element(scales.begin(), scales.end());
   const auto degree = std::min(kMostDegree, static_cast<std::size_t>(3 * widest + 2));
   std::vector<Coefficients> coefficients;

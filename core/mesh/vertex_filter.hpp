@@ -1,4 +1,4 @@
-// A vertex filter tells what of a mesh is finer than a scale.
+// A vertex filter separates the parts of vertex positions that are finer than a scale.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace talweg {
 
-/// Vertices of a surface and, for each, its neighbours among them.
+/// A set of vertices of a surface, with the neighbours of each inside the set.
 class VertexGraph {
  public:
   /// All vertices of the surface. O(vertices + edges).
   explicit VertexGraph(const Surface& surface);
-  /// The vertices that so many edges lead to from one of the seeds, which come first, each once.
-  /// O(vertices of the surface) for one list of numbers, else O(vertices of the graph).
+  /// The vertices at most `rings` edges from a seed; the seeds come first, without repeats.
+  /// O(vertices of the graph), and one array over all vertices of the surface.
   VertexGraph(const Surface& surface, std::span<const VertexId> seeds, int rings);
 
   [[nodiscard]] std::size_t size() const { return vertices_.size(); }
@@ -25,7 +25,7 @@ class VertexGraph {
   [[nodiscard]] std::span<const std::uint32_t> neighbours(std::size_t i) const {
     return std::span(neighbours_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
   }
-  /// Whether all neighbours that the vertex has on the surface are in the graph.
+  /// Whether all neighbours of the vertex on the surface are in the graph.
   [[nodiscard]] bool is_whole(std::size_t i) const { return whole_[i] != 0; }
 
  private:
@@ -36,19 +36,20 @@ class VertexGraph {
   std::vector<std::uint8_t> whole_;
 };
 
-/// What each vertex has that is finer than a scale s, in edges: (1 − exp(−0.61 s² L))² p, with L p
-/// = p minus the mean of its neighbours. That is what a diffusion takes away, and does again with
-/// what it took away (Tukey's twicing): a wave 2π s / √8 edges long is halved, and of longer ones
-/// goes the fourth power of their frequency, so that bent surfaces do not shrink. The exponential
-/// is a Chebyshev polynomial of degree 3 s + 2 in L, which is exact to 0.003 for scales up to 6.
-/// One result for each scale; at vertices that are not whole there is no L p. O(degree · graph).
-/// Throws Cancelled.
+/// The part of each position that is finer than a scale s, in edges: (1 − exp(−0.61 s² L))² p,
+/// where L p is p minus the mean of its neighbours. This is the residual of diffusion with Tukey's
+/// twicing (the residual of a diffusion is diffused once more and added back). A wave of 2π s / √8
+/// edges is halved; of longer waves the removed part decreases with the fourth power of the
+/// frequency, so curved surfaces do not shrink. A Chebyshev polynomial in L of degree 3 s + 2 for
+/// the largest scale (at most 20) approximates the filter, with an error of at most 0.003 for
+/// scales up to 6. One list of parts per scale. L p is 0 at vertices that are not whole. O(degree ·
+/// graph). Throws Cancelled.
 std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const Point> positions,
                                             std::span<const double> scales, Asker& asker);
 
-/// Replaces each value by the mean of its surroundings, about three edges wide. O(16 · graph).
-/// Throws Cancelled.
+/// Replaces each value by a mean over its surroundings, about three edges wide, by 16 steps of
+/// averaging. O(16 · graph). Throws Cancelled.
 void spread(const VertexGraph& graph, std::vector<double>& values, Asker& asker);
 
 }  // namespace talweg

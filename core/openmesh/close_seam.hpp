@@ -1,4 +1,4 @@
-// Closing a seam that was opened gives each of its rims a lid, in place.
+// Closing an opened seam gives each of its rims a lid, in place.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct SeamLids : Lids {
   std::vector<OpenMesh::FaceHandle> faces;  ///< of the lids
 };
 
-/// Finds how lids are linked to the rims that they close, and changes nothing.
+/// Finds the connectivity between lids and the rims that they close; the mesh stays unchanged.
 template <class Mesh>
 class LidLinker {
  public:
@@ -59,7 +59,7 @@ class LidLinker {
     found_.of_faces.emplace_back(f, around[2]);
     return f;
   }
-  /// Throws Error(kNumerical) unless the lids fit (never seen).
+  /// Throws Error(kNumerical) if a side of a lid has no neighbour (never seen).
   const Relinking& relinking() const {
     for (const auto& [ends, side] : sides_) {
       if (side.is_new && !side.used) fail();
@@ -98,8 +98,8 @@ class LidLinker {
   Relinking found_;
 };
 
-/// Closes the rims of a seam that open_seam() has just opened in the mesh, as add_lids() does and
-/// with its errors; the mesh is then as before. Elements of lids have no properties. O(mesh).
+/// Closes the rims of a seam that open_seam() has opened in this mesh. Lids and errors are those of
+/// add_lids(); after an error the mesh is unchanged. New elements have default properties. O(mesh).
 template <class Traits>
 SeamLids close_seam(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const OpenedSeam& seam,
                     LidKind kind = LidKind::kAuto, const Progress& progress = {}) {

@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// The pieces that chains leave, and which of them lie on which side of each.
+/// The pieces into which chains divide a mesh, and the pieces on either side of each chain.
 struct CurveSides {
   static constexpr int kNone = -1;
   std::vector<int> piece_of;  ///< by the face's handle; kNone if it is deleted
@@ -21,7 +21,7 @@ struct CurveSides {
   /// equal where the chains do not separate them.
   std::vector<std::vector<int>> left, right;
 
-  /// The faces of these pieces, ascending.
+  /// The faces of the wanted pieces, ascending.
   [[nodiscard]] std::vector<OpenMesh::FaceHandle> faces(std::span<const int> wanted) const {
     std::vector<bool> is_wanted(static_cast<std::size_t>(pieces), false);
     for (const int piece : wanted) is_wanted.at(static_cast<std::size_t>(piece)) = true;
@@ -35,7 +35,7 @@ struct CurveSides {
   }
 };
 
-/// Finds the pieces of the mesh that hang together by edges which no chain runs along. O(mesh).
+/// Finds the pieces of the mesh: faces that are connected across edges without a chain. O(mesh).
 /// Throws Error(kBadCurve) as check_chains() does.
 template <class Traits>
 CurveSides sides_of(const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,

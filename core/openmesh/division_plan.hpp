@@ -1,5 +1,5 @@
-// A division plan says by number which faces of a mesh are divided into which triangles. It needs
-// OpenMesh and nothing else, so that hosts of plugins can apply one to a mesh of theirs; in C++17.
+// A division plan lists, by number, the faces of a mesh to divide and the triangles of each. The
+// header needs only OpenMesh and C++17, so hosts of plugins can apply a plan to their own mesh.
 #pragma once
 
 #include <array>
@@ -13,33 +13,34 @@
 
 namespace talweg {
 
-/// The plan that talweg_cut_plan.h describes. New vertices have the numbers that follow those of
-/// the old ones; each lies on an old edge or in an old face.
+/// The plan that talweg_cut_plan.h describes. New vertices are numbered after the old vertices;
+/// each new vertex lies on an old edge or in an old face.
 struct DivisionPlan {
   using Three = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   struct Chain {
     bool closed = false;
-    std::vector<std::uint32_t> vertices;  ///< each is joined to the next by an edge
+    std::vector<std::uint32_t> vertices;  ///< neighbours in the list share an edge
   };
 
   std::uint32_t old_vertices = 0;
-  std::vector<Three> vertices;  ///< the old ones that each new one lies between; kNone on an edge
-  std::vector<std::array<double, 3>> weights;    ///< of these; they sum to 1
-  std::vector<std::array<double, 3>> positions;  ///< of each new one
-  std::vector<std::uint32_t> faces;              ///< old ones that are divided
-  std::vector<std::uint32_t> parts;              ///< how many triangles each becomes
-  std::vector<Three> triangles;                  ///< those of the first face, of the second, ...
+  std::vector<Three> vertices;  ///< corners of the old face, or ends of the edge and kNone
+  std::vector<std::array<double, 3>> weights;    ///< of the corners or ends in `vertices`; sum 1
+  std::vector<std::array<double, 3>> positions;  ///< per new vertex
+  std::vector<std::uint32_t> faces;              ///< the old faces to divide
+  std::vector<std::uint32_t> parts;              ///< the number of triangles of each
+  std::vector<Three> triangles;                  ///< of the first divided face, of the second, ...
   std::vector<Chain> chains;                     ///< one per curve
 };
 
-/// Says in one sentence why a plan cannot be applied to a mesh, which is then unchanged.
+/// A plan cannot be applied to a mesh; the message is one sentence with the reason. The mesh is
+/// unchanged.
 class PlanError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The plan that a host got from talweg.cut: any struct with the arrays of talweg_cut_plan as
-/// vectors, such as talweg::host::CutPlan.
+/// Converts the plan that a host got from talweg.cut. `Given` is any struct with the arrays of
+/// talweg_cut_plan as vectors, such as talweg::host::CutPlan.
 template <class Given>
 DivisionPlan division_from(const Given& given) {
   DivisionPlan plan;
@@ -59,7 +60,7 @@ DivisionPlan division_from(const Given& given) {
   return plan;
 }
 
-/// Numbers of elements that are those of their handles.
+/// Element numbers that equal the indices of their handles.
 struct SameNumbers {
   [[nodiscard]] OpenMesh::VertexHandle vertex(std::uint32_t number) const {
     return OpenMesh::VertexHandle(static_cast<int>(number));
@@ -69,7 +70,7 @@ struct SameNumbers {
   }
 };
 
-/// A position in the numbers of the mesh.
+/// A position in the scalar type of the mesh.
 template <class Mesh>
 typename Mesh::Point stored_point(const std::array<double, 3>& position) {
   typename Mesh::Point point;

@@ -1,4 +1,4 @@
-// Embedding makes curves edges of a mesh of OpenMesh, in place.
+// Embedding turns curves into edges of an OpenMesh mesh, in place.
 #pragma once
 
 #include <algorithm>
@@ -24,17 +24,17 @@
 namespace talweg {
 
 struct EmbedOptions {
-  double merge = CutOptions{}.merge;  ///< as CutOptions have it
+  double merge = CutOptions{}.merge;  ///< as in CutOptions
   ChainMarks marks;                   ///< how the edges of the curves are marked
 };
 
 struct Embedding : AppliedPlan {
-  std::size_t crossings = 0;  ///< new vertices that were made where curves cross
-  std::size_t merged = 0;     ///< points of the curves that were moved onto a vertex or an edge
-  double largest_move = 0;    ///< largest move of such a point, mesh units
+  std::size_t crossings = 0;  ///< new vertices at crossings of curves
+  std::size_t merged = 0;     ///< curve points that were moved onto a vertex or an edge
+  double largest_move = 0;    ///< largest move of a merged point, mesh units
 };
 
-/// The plan in plain numbers.
+/// Converts a cut plan to a division plan, whose vertices are weighted means of old vertices.
 inline DivisionPlan division_of(const CutPlan& cut, const Surface& surface) {
   DivisionPlan plan;
   plan.old_vertices = static_cast<std::uint32_t>(cut.old_vertices);
@@ -53,7 +53,7 @@ inline DivisionPlan division_of(const CutPlan& cut, const Surface& surface) {
   return plan;
 }
 
-/// Handles of ids.
+/// Converts ids of the opened mesh to handles of the OpenMesh mesh.
 class NumbersOfIds {
  public:
   explicit NumbersOfIds(const OpenMeshIds& ids) : ids_(ids) {}
@@ -66,7 +66,8 @@ class NumbersOfIds {
   const OpenMeshIds& ids_;
 };
 
-/// Throws Error(kBadMesh) unless the mesh is as it was opened, where the plan touches it.
+/// Throws Error(kBadMesh) if a face that the plan divides has other corners or points than at
+/// opening.
 template <class Mesh>
 void check_opened(const Mesh& mesh, const SurfaceMesh& opened, const OpenMeshIds& ids,
                   const CutPlan& plan) {
@@ -97,7 +98,8 @@ void check_opened(const Mesh& mesh, const SurfaceMesh& opened, const OpenMeshIds
   }
 }
 
-/// The distance from which on two points near the curves stay two in these numbers.
+/// The distance, in mesh units, above which two points near the curves stay different after
+/// rounding to Scalar; 0 for double.
 template <class Scalar>
 double resolution_near(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves) {
   if constexpr (sizeof(Scalar) >= sizeof(double)) return 0;
@@ -107,17 +109,18 @@ double resolution_near(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
       largest = std::max(largest, mesh.position(point).cwiseAbs().maxCoeff());
     }
   }
-  // Points that differ by twice the step between numbers in one coordinate round to two. Of three
-  // coordinates one differs by at least the distance over the square root of three.
+  // Two points stay different after rounding if one coordinate differs by twice the spacing of the
+  // numbers. The largest of three coordinate differences is at least distance / √3.
   return 2 * std::sqrt(3.0) * largest * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
 }
 
-/// Makes the curves chains of edges of `mesh`, by the rules of cut_along() and as apply_plan()
-/// changes it. `opened` and `ids` are those that surface_of() or open_mesh() made of it; afterwards
-/// they no longer fit it. In single precision points that its numbers cannot tell apart are merged.
-/// O(what the curves touch). Throws Error(kBadCurve) as cut_along() does, Error(kBadMesh) where the
-/// mesh is no longer as it was opened, or where rounding would turn a part of a face over, and
-/// otherwise what apply_plan() throws; the mesh is then as before.
+/// Turns the curves into chains of edges of `mesh`. Crossings and merging follow cut_along(); the
+/// elements and properties change as in apply_plan(). `opened` and `ids` come from surface_of() or
+/// open_mesh() of this mesh, and are out of date afterwards. In a mesh of single precision, points
+/// that would round to the same position are merged. O(elements near the curves). Throws
+/// Error(kBadCurve) as cut_along() does, Error(kBadMesh) if the mesh has changed since it was
+/// opened or if rounding would turn a triangle over, and the other errors of apply_plan(); the mesh
+/// is then unchanged.
 template <class Traits>
 Embedding embed_curves(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const SurfaceMesh& opened,
                        const OpenMeshIds& ids, std::span<const SurfaceCurve> curves,
@@ -139,7 +142,8 @@ Embedding embed_curves(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const Surfa
     throw Error(ErrorCode::kBadMesh, error.what());
   }
 }
-/// The same, after opening the mesh, which costs O(mesh) and throws as surface_of() does.
+/// Opens the mesh first, which costs O(mesh) and has the errors of surface_of(), and embeds the
+/// curves.
 template <class Traits>
 Embedding embed_curves(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
                        std::span<const SurfaceCurve> curves, const EmbedOptions& options = {}) {

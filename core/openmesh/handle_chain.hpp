@@ -15,8 +15,8 @@ namespace talweg {
 /// Halfedges, tip to tail, as embed_curves() gives them.
 using HandleChain = std::vector<OpenMesh::HalfedgeHandle>;
 
-/// Throws Error(kBadCurve) naming chain and place of a handle that is none of the mesh, or does not
-/// begin where the one before it ends. O(halfedges).
+/// Throws Error(kBadCurve), with the chain and the place in it, for a halfedge that is not in the
+/// mesh or does not begin where the previous halfedge ends. O(halfedges).
 template <class Mesh>
 void check_chains(const Mesh& mesh, std::span<const HandleChain> chains) {
   const auto refuse = [](std::size_t chain, std::size_t place, const char* why) {

@@ -1,4 +1,5 @@
-// Opening a seam gives either side of chains of edges vertices and edges of its own, in place.
+// Opening a seam doubles the vertices and edges along chains, so that either side has its own, in
+// place.
 #pragma once
 
 #include <algorithm>
@@ -22,20 +23,21 @@ namespace talweg {
 
 /// An opened seam, with its two rims.
 struct OpenedSeam {
-  /// Per chain, the halfedges of faces on its left, in its direction, and of those on its right,
-  /// against it; none where there is no face.
+  /// Per chain, the halfedges of the faces on its left, which point along the chain, and of the
+  /// faces on its right, which point against the chain. Where a side has no face, its list skips
+  /// the edge.
   std::vector<HandleChain> left, right;
-  /// Per chain the vertices that it had, the first one once if it is closed.
+  /// The vertices of a chain before opening; a closed chain does not repeat the first vertex.
   struct Chain {
     bool closed = false;
     std::vector<OpenMesh::VertexHandle> vertices;
   };
   std::vector<Chain> chains;
-  /// A vertex that was there, and its copy.
+  /// Pairs of an old vertex and its copy.
   std::vector<std::pair<OpenMesh::VertexHandle, OpenMesh::VertexHandle>> copies;
 };
 
-/// Finds what opening changes, and changes nothing.
+/// Finds the changes of connectivity that open the seams; the mesh stays unchanged.
 template <class Mesh>
 class SeamFinder {
  public:
@@ -107,7 +109,8 @@ class SeamFinder {
   void find_sectors(Vertex v) {
     opened_.emplace_back(v, sectors_of(mesh_, v, [&](Edge e) { return is_seam(e); }));
   }
-  /// An edge both of whose ends stay whole stays closed: two edges would join the same vertices.
+  /// An edge stays closed if neither of its ends is divided: opening would give two edges between
+  /// the same vertices.
   void drop_single_edges() {
     const auto stays_whole = [&](Vertex v) {
       const auto at =
@@ -130,14 +133,14 @@ class SeamFinder {
     opened_.erase(std::remove_if(opened_.begin(), opened_.end(), is_done), opened_.end());
   }
 
-  /// The halfedge that a face has for this one afterwards.
+  /// The halfedge that replaces `h` in its face after opening.
   [[nodiscard]] Halfedge own(Halfedge h) const {
     const auto found = new_edges_.find(h.idx() / 2);
     return found == new_edges_.end() || h.idx() % 2 == 0 ? h : Halfedge(2 * found->second + 1);
   }
   [[nodiscard]] static Halfedge twin(Halfedge h) { return Halfedge(h.idx() ^ 1); }
-  /// The face at the edge's second halfedge gets a new edge; the old one's second halfedge is then
-  /// on the boundary, as is the new one's first.
+  /// The face at the second halfedge of `e` gets a new edge. The second halfedge of `e` and the
+  /// first halfedge of the new edge become boundary.
   void open_edge(Edge e) {
     const Halfedge old = mesh_.halfedge_handle(e, 1);
     const int edge = static_cast<int>(found_.after.edges++);
@@ -173,19 +176,19 @@ class SeamFinder {
 
   const Mesh& mesh_;
   std::span<const HandleChain> chains_;
-  std::vector<Edge> edges_;       // that are opened, ascending
+  std::vector<Edge> edges_;       // to open, ascending
   std::vector<Vertex> vertices_;  // their ends, ascending
   std::vector<std::pair<Vertex, std::vector<VertexSector>>> opened_;
   std::unordered_map<int, int> new_edges_;  // by the old edge
   Relinking found_;
 };
 
-/// Opens seams along chains of halfedges, as those of embed_curves(): afterwards either side has
-/// vertices and edges of its own, with all properties. An end of a chain inside the mesh stays
-/// closed. Old handles stay valid; where a vertex is taken apart, the faces around the least of
-/// them keep it. O(what the chains touch), but for the room that the mesh's lists need when they
-/// are full. Throws Error(kBadCurve) for a handle that is none of the mesh, and what copying a
-/// property throws; the mesh is then as before.
+/// Opens seams along chains of halfedges, such as the chains of embed_curves(): either side gets
+/// its own vertices and edges, with copies of all properties. The end of a chain inside the mesh
+/// stays closed. Old handles stay valid; a divided vertex stays with the sector that has the
+/// smallest face handle. O(elements along the chains), and O(mesh) when the mesh's arrays must
+/// grow. Throws Error(kBadCurve) as check_chains() does, Error(kBadMesh) for more elements than
+/// handles can number, and exceptions from copying a property; the mesh is then unchanged.
 template <class Traits>
 OpenedSeam open_seam(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh,
                      std::span<const HandleChain> chains) {

@@ -1,4 +1,4 @@
-// The OpenMesh adaptor makes our types from OpenMesh's.
+// The OpenMesh adaptor converts OpenMesh meshes to the mesh types of the library.
 #pragma once
 
 #include <array>
@@ -29,11 +29,12 @@ concept OpenMeshKernel = std::derived_from<Mesh, OpenMesh::PolyConnectivity> &&
   mesh.point(v)[0];
 };
 
-/// Which handle became which id. They differ where elements are deleted but not yet collected, and
-/// where polygons became fans of triangles.
+/// Maps between OpenMesh handles and ids of the opened mesh. Ids differ from handles if elements
+/// are deleted but not yet collected, or if polygons became fans of triangles.
 class OpenMeshIds {
  public:
-  /// Invalid for a deleted element. Throws Error(kBadUsage) for a handle that was not in the mesh.
+  /// Invalid for a deleted element. Throws Error(kBadUsage) for a handle that the opened mesh did
+  /// not have.
   [[nodiscard]] VertexId id(OpenMesh::VertexHandle v) const {
     return VertexId{at(vertex_ids_, v.idx(), "vertex")};
   }
@@ -41,7 +42,7 @@ class OpenMeshIds {
   [[nodiscard]] FaceId id(OpenMesh::FaceHandle f) const {
     return FaceId{at(face_ids_, f.idx(), "face")};
   }
-  /// Like id(), but invalid for a handle that was not in the mesh, too.
+  /// Like id(), but invalid also for a handle that the opened mesh did not have.
   [[nodiscard]] VertexId find(OpenMesh::VertexHandle v) const {
     const bool known = v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < vertex_ids_.size();
     return known ? id(v) : VertexId();
@@ -52,13 +53,13 @@ class OpenMeshIds {
   [[nodiscard]] OpenMesh::FaceHandle handle(FaceId f) const {
     return OpenMesh::FaceHandle(face_handles_.at(f.index()));
   }
-  /// Handles that the mesh had, deleted ones with them.
+  /// The number of handles at opening, deleted elements included.
   [[nodiscard]] std::size_t vertex_handle_count() const { return vertex_ids_.size(); }
   [[nodiscard]] std::size_t face_handle_count() const { return face_ids_.size(); }
   [[nodiscard]] std::size_t vertex_count() const { return vertex_handles_.size(); }
   [[nodiscard]] std::size_t triangle_count() const { return face_handles_.size(); }
-  /// The corners of the face that the corners of its triangle `f` are, counted as add_face() got
-  /// them: 0, k + 1, k + 2 for triangle k of the fan.
+  /// The corners of triangle `f` as positions in the corner list of its polygon: 0, k + 1, k + 2
+  /// for triangle k of the fan.
   [[nodiscard]] std::array<std::size_t, 3> corners(FaceId f) const {
     const std::size_t k = f.index() - id(handle(f)).index();
     return {0, k + 1, k + 2};
@@ -70,7 +71,7 @@ class OpenMeshIds {
     vertex_ids_.push_back(deleted ? VertexId::kInvalid : size_of(vertex_handles_));
     if (!deleted) vertex_handles_.push_back(static_cast<int>(vertex_ids_.size()) - 1);
   }
-  /// `triangles`: 0 for a deleted face.
+  /// `triangles`: the number of triangles of the face, 0 if it is deleted.
   void add_face(std::size_t triangles) {
     face_ids_.push_back(triangles == 0 ? FaceId::kInvalid : size_of(face_handles_));
     face_handles_.insert(face_handles_.end(), triangles, static_cast<int>(face_ids_.size()) - 1);
@@ -106,7 +107,8 @@ bool is_deleted(const Mesh& mesh, OpenMesh::FaceHandle f) {
   return mesh.has_face_status() && mesh.status(f).deleted();
 }
 
-/// The halfedges of a face that end at its corners, in the order in which it was added.
+/// The halfedges of a face, each ending at a corner, in the order in which add_face() got the
+/// corners.
 template <OpenMeshKernel Mesh>
 std::vector<OpenMesh::HalfedgeHandle> corner_halfedges(const Mesh& mesh, OpenMesh::FaceHandle f) {
   std::vector<OpenMesh::HalfedgeHandle> corners;
@@ -121,11 +123,10 @@ std::vector<OpenMesh::HalfedgeHandle> corner_halfedges(const Mesh& mesh, OpenMes
 
 }  // namespace detail
 
-/// The mesh's points (converted to double) and triangles, without its deleted elements; `ids`, if
-/// given, receives the numbering. Polygons are triangulated as triangulate_polygons() does. Only
-/// point(), connectivity and the deleted bits are used, so any traits will do. Corners keep the
-/// order in which a face was added. O(mesh). Throws Error(kBadMesh) when a face that is not deleted
-/// has a deleted vertex.
+/// The points (as double) and triangles of the mesh, without deleted elements; `ids`, if given,
+/// receives the numbering. triangulate_polygons() divides polygons. The function reads only
+/// point(), connectivity and the deleted bits, so it accepts any traits. Corners keep the order of
+/// add_face(). O(mesh). Throws Error(kBadMesh) if a face that is not deleted has a deleted vertex.
 template <OpenMeshKernel Mesh>
 MeshLists lists_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   using Scalar = std::remove_cvref_t<decltype(mesh.point(OpenMesh::VertexHandle())[0])>;
@@ -174,14 +175,14 @@ MeshLists lists_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   return lists;
 }
 
-/// Opens an OpenMesh mesh: SurfaceMesh::open(lists_of(mesh)), with its errors. Later edits of
-/// `mesh` change nothing.
+/// Opens an OpenMesh mesh: SurfaceMesh::open(lists_of(mesh)), with its errors. The result is a
+/// copy: later edits of `mesh` do not affect it.
 template <OpenMeshKernel Mesh>
 SurfaceMesh surface_of(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   return SurfaceMesh::open(lists_of(mesh, ids));
 }
 
-/// The same, made ready for CurveSmoother.
+/// Opens an OpenMesh mesh for CurveSmoother: OpenedMesh::open(surface_of(mesh)), with its errors.
 template <OpenMeshKernel Mesh>
 std::shared_ptr<const OpenedMesh> open_mesh(const Mesh& mesh, OpenMeshIds* ids = nullptr) {
   return OpenedMesh::open(surface_of(mesh, ids));

@@ -1,4 +1,4 @@
-// What becomes of an opened mesh and its curves when the caller's OpenMesh changes.
+// An opened mesh and its curves follow changes of the caller's OpenMesh mesh.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 
 namespace talweg {
 
-/// A stamp tells whether a mesh is still as it was: two meshes with the same stamp are the same but
-/// by accident (one in 2^64).
+/// A hash of a mesh that tells whether it has changed. Different meshes have equal stamps with a
+/// probability of 2^-64.
 struct OpenMeshStamp {
-  std::uint64_t connectivity = 0;  ///< of corners of faces, and of deleted bits
+  std::uint64_t connectivity = 0;  ///< hash of the corners of faces and the deleted bits
   std::uint64_t points = 0;
   friend bool operator==(const OpenMeshStamp&, const OpenMeshStamp&) = default;
 };
@@ -30,7 +30,7 @@ namespace detail {
 
 class Hash {
  public:
-  void add(std::uint64_t value) {  // the finalizer of splitmix64, over what came before
+  void add(std::uint64_t value) {  // the finalizer of splitmix64, chained
     std::uint64_t x = state_ + value + 0x9E3779B97F4A7C15U;
     x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
     x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
@@ -73,9 +73,10 @@ OpenMeshStamp stamp_of(const Mesh& mesh) {
   return {connectivity.value(), points.value()};
 }
 
-/// The mesh opened again after its vertices moved: connectivity is taken from `opened`, only points
-/// and edge lengths are new. `ids`: of when it was opened. Throws Error(kBadUsage) unless the
-/// connectivity is the same, and Error(kBadMesh) as open_mesh() does for the new points.
+/// Opens a mesh again after its vertices have moved: points and edge lengths are new, the
+/// connectivity is that of `opened`. `ids` is the numbering of the first opening. Throws
+/// Error(kBadUsage) if the connectivity has changed, and Error(kBadMesh) as open_mesh() does for
+/// the new points.
 template <OpenMeshKernel Mesh>
 std::shared_ptr<const OpenedMesh> reopen(const Mesh& mesh, const OpenMeshIds& ids,
                                          const OpenedMesh& opened) {
@@ -87,7 +88,7 @@ std::shared_ptr<const OpenedMesh> reopen(const Mesh& mesh, const OpenMeshIds& id
 
 namespace detail {
 
-/// An opened mesh with its numbering.
+/// The surface of an opened mesh with its numbering.
 struct Numbered {
   const OpenMeshIds& ids;
   const Surface& surface;
@@ -184,10 +185,10 @@ class CurveKeeper {
 
 }  // namespace detail
 
-/// What is left of a curve after faces were deleted, added, split or flipped and the mesh was
-/// opened again: its stretches in triangles that have the same three vertex handles as before, in
-/// order; the whole curve if none is lost. After garbage_collection() handles name other elements,
-/// so keep curves before it.
+/// The stretches of a curve that survive deleting, adding, splitting or flipping of faces, on the
+/// mesh that was opened again. A stretch survives in triangles with unchanged vertex handles. The
+/// stretches are in the order of the curve; a curve that survives whole is returned whole.
+/// garbage_collection() changes handles, so call this function before it.
 inline std::vector<SurfaceCurve> kept_stretches(const SurfaceCurve& curve,
                                                 const OpenMeshIds& old_ids,
                                                 const Surface& old_surface,

@@ -27,9 +27,10 @@ inline VertexId drawn_vertex(const OpenMeshIds& ids, OpenMesh::VertexHandle v, s
 
 }  // namespace detail
 
-/// A curve through these vertices, each the next one's neighbour; snap() and draw_edge_path() take
-/// it from there. A first handle that is repeated at the end closes it. Smart handles will do.
-/// Throws Error(kBadCurve) for a handle that is invalid, deleted or not of the opened mesh.
+/// A curve through vertices, each a neighbour of the next, as input of snap() and draw_edge_path().
+/// The curve is closed if `closed` is set or the last handle repeats the first. Smart handles are
+/// accepted. Throws Error(kBadCurve) for a handle that is invalid, deleted or not in the opened
+/// mesh.
 inline CurveInput curve_of(const OpenMeshIds& ids, std::span<const OpenMesh::VertexHandle> vertices,
                            bool closed = false) {
   CurveInput curve;
@@ -46,9 +47,9 @@ inline CurveInput curve_of(const OpenMeshIds& ids, std::span<const OpenMesh::Ver
   return curve;
 }
 
-/// A curve along these halfedges, each beginning where the one before ends; closed if the last ends
-/// where the first begins. Throws Error(kBadCurve) where they do not follow each other, and as
-/// curve_of() does.
+/// A curve along halfedges, each beginning where the previous halfedge ends. The curve is closed if
+/// the last halfedge ends where the first begins. Throws Error(kBadCurve) if the halfedges are not
+/// consecutive, and as curve_of() for vertices does.
 template <OpenMeshKernel Mesh>
 CurveInput curve_of(const Mesh& mesh, const OpenMeshIds& ids,
                     std::span<const OpenMesh::HalfedgeHandle> halfedges) {
@@ -71,9 +72,9 @@ CurveInput curve_of(const Mesh& mesh, const OpenMeshIds& ids,
   return curve_of(ids, vertices);
 }
 
-/// Edges as curves: chains and loops, which end where one edge or more than two meet. Each has the
-/// direction of the first halfedge of its first edge. Throws Error(kBadCurve) for edges that the
-/// opened mesh does not have.
+/// Joins edges to curves: loops, and chains that end at vertices with one of the edges or more than
+/// two. A curve has the direction of the first halfedge of its first edge. Throws Error(kBadCurve)
+/// for edges that the opened mesh does not have.
 template <OpenMeshKernel Mesh>
 std::vector<CurveInput> curves_of(const Mesh& mesh, const OpenMeshIds& ids,
                                   std::span<const OpenMesh::EdgeHandle> edges) {
@@ -100,12 +101,12 @@ std::vector<CurveInput> curves_of(const Mesh& mesh, const OpenMeshIds& ids,
 template <OpenMeshKernel Mesh, class Condition>
 std::vector<OpenMesh::EdgeHandle> edges_where(const Mesh& mesh, const Condition& condition) {
   std::vector<OpenMesh::EdgeHandle> edges;
-  for (const OpenMesh::EdgeHandle e : mesh.edges()) {  // leaves deleted ones out
+  for (const OpenMesh::EdgeHandle e : mesh.edges()) {  // skips deleted edges
     if (condition(e)) edges.push_back(e);
   }
   return edges;
 }
-/// Those with the bit; none if the mesh has no status of edges.
+/// The edges with the status bit `selected`; none if the mesh has no edge status.
 template <OpenMeshKernel Mesh>
 std::vector<OpenMesh::EdgeHandle> selected_edges(const Mesh& mesh) {
   if (!mesh.has_edge_status()) return {};
@@ -117,8 +118,8 @@ std::vector<OpenMesh::EdgeHandle> feature_edges(const Mesh& mesh) {
   return edges_where(mesh, [&](OpenMesh::EdgeHandle e) { return mesh.status(e).feature(); });
 }
 
-/// Labels of the opened mesh's faces from a property: an FProp, or whatever has an entry for a
-/// FaceHandle. Triangles of a polygon have its label.
+/// One label per triangle of the opened mesh, from a property: an FProp, or any type that can be
+/// indexed with a FaceHandle. The triangles of a polygon have its label.
 template <class Property>
 std::vector<std::int64_t> labels_of(const OpenMeshIds& ids, const Property& property) {
   std::vector<std::int64_t> labels;

@@ -1,4 +1,4 @@
-// Points of curves as OpenMesh handles, and back.
+// Curve points convert to OpenMesh handles, and back.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace talweg {
 
-/// Inside an edge: (1 - t) of where the halfedge begins, t of where it ends; 0 < t < 1.
+/// A point inside an edge: (1 - t) · tail + t · head of the halfedge; 0 < t < 1.
 struct OnHalfedge {
   OpenMesh::HalfedgeHandle halfedge;
   double t = 0.5;
 };
 
-/// Inside a face, between three of its corners: those that these halfedges of it end at, so that
-/// attributes of halfedges can be interpolated, too. Of a polygon the corners of a triangle of its
-/// fan, and one barycentric may be 0.
+/// A point inside a face, as a weighted mean of three corners. A corner is named by the face's
+/// halfedge that ends there, so attributes of halfedges can be interpolated, too. In a polygon the
+/// corners are those of a triangle of its fan, and one weight may be 0.
 struct InFaceHandle {
   OpenMesh::FaceHandle face;
   std::array<OpenMesh::HalfedgeHandle, 3> corners;
@@ -45,7 +45,8 @@ HandlePoint in_face(const Mesh& mesh, const OpenMeshIds& ids, const FaceCoordina
 
 }  // namespace detail
 
-/// `mesh`, `ids`: as they were opened; `surface`: of the opened mesh. O(degree).
+/// Converts a point of the opened mesh. `ids` and `surface` come from opening `mesh`, which must be
+/// unchanged. O(degree).
 template <OpenMeshKernel Mesh>
 HandlePoint handle_point(const Mesh& mesh, const OpenMeshIds& ids, const Surface& surface,
                          const SurfacePoint& point) {
@@ -58,7 +59,7 @@ HandlePoint handle_point(const Mesh& mesh, const OpenMeshIds& ids, const Surface
   const OpenMesh::HalfedgeHandle halfedge =
       mesh.find_halfedge(ids.handle(surface.tail(h)), ids.handle(surface.head(h)));
   if (halfedge.is_valid()) return OnHalfedge{halfedge, at.t};
-  // A diagonal of a polygon.
+  // The edge is a diagonal of a polygon.
   return detail::in_face(mesh, ids, coordinates_in(surface, point, any_face(surface, point)));
 }
 
@@ -73,8 +74,8 @@ std::vector<HandlePoint> handle_points(const Mesh& mesh, const OpenMeshIds& ids,
   return points;
 }
 
-/// The way back. Throws Error(kBadCurve) for a handle that is invalid, deleted or not of the opened
-/// mesh, and for numbers out of their range.
+/// Converts handles to a point of the opened mesh. Throws Error(kBadCurve) for a handle that is
+/// invalid, deleted or not in the opened mesh, and for `t` or barycentric coordinates out of range.
 template <OpenMeshKernel Mesh>
 SurfacePoint surface_point(const Mesh& mesh, const OpenMeshIds& ids, const Surface& surface,
                            const HandlePoint& point) {

@@ -1,4 +1,4 @@
-// Values of the opened mesh as OpenMesh properties, by name and type.
+// Values per vertex or triangle of the opened mesh become named OpenMesh properties.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ enum class PropertyLife { kTemporary, kPersistent };
 
 namespace detail {
 
-/// Throws Error(kBadUsage) if there is a property of that name and another type, which OpenMesh
-/// would leave beside a new one.
+/// Throws Error(kBadUsage) if a property of this name has another type: OpenMesh would add a second
+/// property of the same name.
 template <class Iterator>
 void check_type(bool has_it, Iterator first, Iterator last, const std::string& name) {
   if (has_it) return;
@@ -37,8 +37,8 @@ inline void check_count(std::size_t given, std::size_t expected, const char* wha
                                         std::to_string(expected) + " " + what + ".");
 }
 
-/// Makes or fills a property of elements with this handle; `handles` of them, deleted ones
-/// included.
+/// Makes or fills a property of vertices or faces. `handles`: the number of elements, deleted
+/// elements included.
 template <class T, class Handle, OpenMeshKernel Mesh, class Value>
 auto filled(Mesh& mesh, const OpenMeshIds& ids, std::size_t handles, const std::string& name,
             const std::vector<Value>& values, PropertyLife life) {
@@ -54,9 +54,9 @@ auto filled(Mesh& mesh, const OpenMeshIds& ids, std::size_t handles, const std::
 
 }  // namespace detail
 
-/// O(vertices). Makes, or fills, the vertex property of that name: `values` has one for each vertex
-/// of the opened mesh. Deleted vertices get T(). Throws Error(kBadUsage) for another number of
-/// values, and if a property of that name has another type; the mesh is then as it was.
+/// Makes or fills a vertex property. `values` has one entry per vertex of the opened mesh; deleted
+/// vertices get T(). O(vertices). Throws Error(kBadUsage) for another number of values, or if a
+/// property of this name has another type; the mesh is then unchanged.
 template <class T, OpenMeshKernel Mesh, class Value>
 OpenMesh::VProp<T> vertex_property(Mesh& mesh, const OpenMeshIds& ids, const std::string& name,
                                    const std::vector<Value>& values,
@@ -68,8 +68,8 @@ OpenMesh::VProp<T> vertex_property(Mesh& mesh, const OpenMeshIds& ids, const std
                                                    values, life);
 }
 
-/// The same for faces: `values` has one for each triangle of the opened mesh; a polygon gets that
-/// of the first triangle of its fan.
+/// Makes or fills a face property, with the errors of vertex_property(). `values` has one entry per
+/// triangle of the opened mesh; a polygon gets the value of the first triangle of its fan.
 template <class T, OpenMeshKernel Mesh, class Value>
 OpenMesh::FProp<T> face_property(Mesh& mesh, const OpenMeshIds& ids, const std::string& name,
                                  const std::vector<Value>& values,

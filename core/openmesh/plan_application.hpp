@@ -1,5 +1,5 @@
-// Applying a division plan changes a mesh of OpenMesh in place. It needs OpenMesh and nothing of
-// the library, so hosts of plugins use it, too; in C++17.
+// Applying a division plan divides faces of an OpenMesh mesh in place. The header needs only
+// OpenMesh and C++17, so hosts of plugins can use it.
 #pragma once
 
 #include <array>
@@ -16,25 +16,26 @@
 
 namespace talweg {
 
-/// How the edges of chains are marked.
+/// The marks that edges of chains get.
 struct ChainMarks {
-  /// Gives them and their vertices the status bit `feature`. The mesh must have these status
-  /// attributes.
+  /// Sets the status bit `feature` of the edges and their vertices. The mesh must have the status
+  /// attributes of edges and vertices.
   bool feature = false;
-  /// If valid, each edge of a chain gets the number of its curve, from 0; the last one where
-  /// several run.
+  /// If valid, each edge of a chain gets the number of its curve, from 0; an edge of several curves
+  /// gets the largest number.
   OpenMesh::EPropHandleT<int> curve = OpenMesh::EPropHandleT<int>();
 };
 
-/// What there is now that was not there before. New elements are the mesh's last.
+/// The new vertices and faces, and the edges of the curves. New elements have the largest handles.
 struct AppliedPlan {
-  std::vector<OpenMesh::VertexHandle> vertices;  ///< in the order of the plan
-  std::vector<OpenMesh::FaceHandle> faces;       ///< the new ones
-  std::vector<OpenMesh::FaceHandle> face_from;   ///< for each of these the old face it is a part of
+  std::vector<OpenMesh::VertexHandle> vertices;  ///< the new vertices, in the order of the plan
+  std::vector<OpenMesh::FaceHandle> faces;       ///< the new faces
+  std::vector<OpenMesh::FaceHandle> face_from;  ///< per new face, the old face that it is a part of
   std::vector<std::vector<OpenMesh::HalfedgeHandle>> chains;  ///< one per curve, in its direction
 };
 
-/// Throws PlanError if rounding to the mesh's numbers would turn a triangle over or make it flat.
+/// Throws PlanError if a triangle is turned over or has no area after rounding to the mesh's scalar
+/// type.
 template <class Mesh, class Numbers>
 void check_turned(const Mesh& mesh, const DivisionPlan& plan, const Numbers& numbers) {
   using Vector = OpenMesh::Vec3d;
@@ -65,7 +66,7 @@ void check_turned(const Mesh& mesh, const DivisionPlan& plan, const Numbers& num
   }
 }
 
-/// Marks the edges of chains. Nothing here can fail.
+/// Marks the edges of chains. Cannot fail.
 template <class Mesh>
 void mark(Mesh& mesh, const Relinking& changes, const ChainMarks& marks) noexcept {
   for (std::size_t c = 0; c < changes.chains.size(); ++c) {
@@ -91,18 +92,21 @@ inline AppliedPlan applied(const Relinking& changes) {
   return applied;
 }
 
-/// Divides faces and edges as the plan says, in place. `numbers` knows the handle of each number.
-/// No old vertex moves; handles stay valid; a divided face keeps its handle for one of its
-/// triangles and a divided edge for one of its parts; nothing is deleted. Properties:
-/// - parts of a face or an edge have those of it, status included; edges inside faces have none;
-/// - a vertex has those of the nearest old one of its edge or face (the first of equals), but its
-///   normal, colour and texture coordinates lie between those of all, and of the status bits it has
-///   those that all have;
-/// - a halfedge inside a face has those of the one that points to the nearest corner (names that
-///   begin with "h:" left out), without status; normals, colours and texture coordinates of
-///   halfedges belong to the corner at their head, and lie between those of the old face's corners.
-/// O(what the plan divides), but for the room that the mesh's lists need when they are full. Throws
-/// PlanError, std::bad_alloc, or what copying a property throws; the mesh is then as before.
+/// Divides faces and edges according to the plan, in place. `numbers` converts numbers of the plan
+/// to handles. Old vertices do not move and no element is deleted. Handles stay valid: the handle
+/// of a divided face names its first triangle, the handle of a divided edge one of its parts.
+/// Properties:
+/// - parts of a face or an edge get its properties, status included; edges inside faces get none;
+/// - a new vertex gets the properties of the nearest old vertex of its edge or face (the first of
+///   equally near ones), except: its normal, colour and texture coordinates are interpolated, and
+///   it gets the status bits that all these old vertices have;
+/// - a halfedge inside a face gets the properties of the old face's halfedge that points to the
+///   nearest corner (except properties named "h:..."), without status. Normals, colours and texture
+///   coordinates of halfedges belong to the corner at the head, and are interpolated between the
+///   corners of the old face.
+///
+/// O(divided elements), and O(mesh) when the mesh's arrays must grow. Throws PlanError,
+/// std::bad_alloc, or an exception from copying a property; the mesh is then unchanged.
 template <class Traits, class Numbers = SameNumbers>
 AppliedPlan apply_plan(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const DivisionPlan& plan,
                        const Numbers& numbers = {}, const ChainMarks& marks = {}) {

@@ -1,4 +1,4 @@
-// The points of a division plan, as handles of one mesh.
+// The vertices and faces of a division plan as handles of one mesh.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace talweg {
 /// A new vertex on an old edge.
 struct EdgePoint {
   OpenMesh::VertexHandle low, high;  ///< the edge's ends; low has the smaller handle
-  double t = 0;                      ///< from low to high
+  double t = 0;                      ///< position on the edge, 0 at low, 1 at high
   OpenMesh::VertexHandle vertex;
 
   friend bool operator<(const EdgePoint& a, const EdgePoint& b) {
@@ -27,8 +27,9 @@ struct EdgePoint {
   }
 };
 
-/// Turns a plan's numbers into handles, of elements to come too, and says so where they are none.
-/// O(n log n) for n new vertices, O(log n) for an edge.
+/// Converts numbers of a plan to handles, also of vertices that are still to be made. Throws
+/// PlanError for a number that names no element. O(n log n) for n new vertices, O(log n) for an
+/// edge.
 template <class Mesh, class Numbers>
 class PlanPoints {
  public:
@@ -62,7 +63,7 @@ class PlanPoints {
     }
     return f;
   }
-  /// The points on an edge, from the end with the smaller handle.
+  /// The new vertices on an edge, in order from the end with the smaller handle.
   [[nodiscard]] Range on(Vertex a, Vertex b) const {
     const EdgePoint least{std::min(a, b), std::max(a, b), -1, Vertex()};
     const EdgePoint most{least.low, least.high, 2, Vertex()};

@@ -1,4 +1,4 @@
-// A planned relinking is found from a division plan and a mesh, which it does not change.
+// A planned relinking lists the changes of connectivity that a division plan makes in a mesh.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 
 namespace talweg {
 
-/// Finds what a plan changes. An old edge that is divided stays its first part, from the tail of
-/// its halfedge 0; an old face stays the first of its triangles. O(n log n) for n elements of the
-/// plan and of the faces that it divides.
+/// Finds the relinking of a plan; the mesh stays unchanged. A divided edge becomes its own first
+/// part, from the tail of its halfedge 0; a divided face becomes the first of its triangles. O(n
+/// log n) for n elements of the plan and its divided faces.
 template <class Mesh, class Numbers>
 class RelinkingFinder {
  public:
@@ -49,16 +49,17 @@ class RelinkingFinder {
   using Edge = OpenMesh::EdgeHandle;
   using Face = OpenMesh::FaceHandle;
 
-  /// An old edge with points on it, in the direction of its halfedge 0.
+  /// An old edge with new vertices on it, in the direction of its halfedge 0.
   struct DividedEdge {
     std::vector<Vertex> points;
-    int first_new = 0;                       // the new edges' handles follow each other
-    std::array<bool, 2> seen{false, false};  // its halfedges, in faces that are divided
+    int first_new = 0;                       // the handle of the first new edge; the others follow
+    std::array<bool, 2> seen{false, false};  // per halfedge, whether a divided face has it
   };
   struct Side {
     Halfedge halfedge = Halfedge();
     bool used = false;
-    int part_of = -1;  // of the face's old halfedges the one that it is a part of
+    int part_of =
+        -1;  // the index (0 to 2) of the old halfedge that contains this side; -1 inside the face
   };
   using Key = std::uint64_t;
   static Key key(Vertex a, Vertex b) {
@@ -77,7 +78,7 @@ class RelinkingFinder {
     const auto found = divided_.find(h.idx() / 2);
     return found == divided_.end() ? nullptr : &found->second;
   }
-  /// Notes the points on the edge, if there are any.
+  /// Records the division of the edge of `h`; null if no new vertex lies on the edge.
   DividedEdge* divide_edge(Halfedge h) {
     const Halfedge along = halfedge(h.idx() / 2, 0);
     const Vertex tail = mesh_.from_vertex_handle(along), head = mesh_.to_vertex_handle(along);
@@ -168,7 +169,8 @@ class RelinkingFinder {
       from = to;
     }
   }
-  /// The vertices of the triangles that are inside the face; others must be around it.
+  /// The number of the triangles' vertices inside the face. Throws PlanError if another vertex is
+  /// not on the boundary of the face.
   std::size_t count_inside(std::size_t first, std::size_t count) {
     std::sort(corners_.begin(), corners_.end());
     std::vector<Vertex> inside;
@@ -211,7 +213,7 @@ class RelinkingFinder {
       }
     }
     for (std::size_t k = 0; k < 3; ++k) found_.nexts.emplace_back(around[k], around[(k + 1) % 3]);
-    found_.of_faces.emplace_back(part, around[2]);  // which ends at the first corner
+    found_.of_faces.emplace_back(part, around[2]);  // the halfedge that ends at the first corner
   }
   typename std::unordered_map<Key, Side>::iterator add_inner_edge(Vertex from, Vertex to) {
     const int edge = static_cast<int>(found_.after.edges++);
@@ -220,7 +222,7 @@ class RelinkingFinder {
     sides_[key(to, from)] = Side{halfedge(edge, 1), false, -1};
     return sides_.insert_or_assign(key(from, to), Side{halfedge(edge, 0), false, -1}).first;
   }
-  /// Where the values at a triangle's corner come from, unless they stay.
+  /// Records the source of the values at a triangle's corner, unless they are unchanged.
   void mix_corner(Halfedge h, Vertex at, int part_of) {
     Relinking::Corner corner{h, old_, {}};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -240,7 +242,7 @@ class RelinkingFinder {
                : mixed.weights[static_cast<std::size_t>(place - mixed.from.begin())];
   }
 
-  /// Links divided edges into boundaries, and gives their points a halfedge.
+  /// Links the parts of divided boundary edges, and gives each new vertex on an edge a halfedge.
   void close_edges() {
     if (points_used_ != plan_.vertices.size()) {
       throw PlanError("The plan makes vertices that no face of it has.");
@@ -278,7 +280,7 @@ class RelinkingFinder {
     found_.nexts.emplace_back(parts.back(), first_of(mesh_.next_halfedge_handle(h)));
   }
 
-  /// Notes which pairs of vertices chains need the halfedges of.
+  /// Records the pairs of vertices whose halfedges the chains need.
   void note_chains() {
     each_link([&](std::size_t, std::size_t, Vertex a, Vertex b) { wanted_[key(a, b)]; });
   }
@@ -298,7 +300,7 @@ class RelinkingFinder {
       found_.chains[c].push_back(h);
     });
   }
-  /// The halfedge of an old edge that is not divided.
+  /// The halfedge of an undivided old edge; invalid if there is none.
   Halfedge old_halfedge(Vertex a, Vertex b) {
     const Halfedge h = mesh_.find_halfedge(a, b);
     return h.is_valid() && divided(h) == nullptr ? h : Halfedge();
@@ -325,11 +327,11 @@ class RelinkingFinder {
   const DivisionPlan& plan_;
   PlanPoints<Mesh, Numbers> points_;
   Relinking found_;
-  std::unordered_map<int, DividedEdge> divided_;  // by the old edge
-  std::vector<int> order_;                        // in which they were met
+  std::unordered_map<int, DividedEdge> divided_;  // by old edge
+  std::vector<int> order_;                        // of the keys of divided_, as found
   std::size_t points_used_ = 0;
   std::unordered_map<Key, Halfedge> wanted_;
-  // Of the face that is being divided:
+  // The face that is being divided, and its sides:
   Face face_;
   std::array<Halfedge, 3> old_;
   std::unordered_map<Key, Side> sides_;

@@ -1,4 +1,4 @@
-// Property carrying gives the new elements of a divided mesh the properties of the old ones.
+// Property carrying copies the properties of old elements to the new elements of a divided mesh.
 #pragma once
 
 #include <array>
@@ -12,15 +12,16 @@
 
 namespace talweg {
 
-/// Writes to new elements first, which may fail, and to old ones last, which cannot: where a
-/// halfedge gets a new head, the values at its corner change. O(changed elements) for each
-/// property.
+/// Writes to new elements first, which may throw, and to old elements last, which cannot throw. Old
+/// elements change where a halfedge gets a new head: its values belong to the corner there.
+/// O(changed elements) for each property.
 template <class Mesh>
 class PropertyCarrier {
  public:
   PropertyCarrier(Mesh& mesh, const Relinking& changes) : mesh_(mesh), changes_(changes) {}
 
-  /// The new elements, which must be there. Throws what copying a property throws.
+  /// Fills the new elements except new vertices of the plan; the mesh must have been resized.
+  /// Throws any exception from copying a property.
   void fill_new() {
     for (const auto& [from, to] : changes_.copies) mesh_.copy_all_properties(from, to, true);
     for (const auto& [from, to] : changes_.halves) {
@@ -35,13 +36,13 @@ class PropertyCarrier {
     each_mixed_of_halfedges(mesh_,
                             [&](auto& values, Mixing mixing) { mix_corners(values, mixing); });
   }
-  /// The new vertices on edges and in faces, likewise.
+  /// Fills the new vertices on edges and in faces; the same conditions hold.
   void fill_vertices(const DivisionPlan& plan) {
     for (std::size_t k = 0; k < changes_.vertices.size(); ++k) {
       fill_vertex(changes_.vertices[k], plan.positions[k]);
     }
   }
-  /// The old elements.
+  /// Changes the values at corners of old halfedges that get a new head.
   void change_old() noexcept {
     for (const auto& change : later_) change();
   }

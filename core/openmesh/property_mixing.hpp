@@ -1,4 +1,4 @@
-// Property mixing gives a new element values between those of old ones.
+// Property mixing interpolates the values of new elements.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@
 
 namespace talweg {
 
-/// What a mixed value is.
-enum class Mixing { kLinear, kDirection };  // between the old ones; and then made as long as one
+/// The kind of interpolation of a property.
+enum class Mixing { kLinear, kDirection };  // weighted mean; normalised weighted mean
 
-/// A number of the type that a property has; whole ones are rounded.
+/// Converts to the number type of a property; integers are rounded and clamped to their range.
 template <class Number>
 Number mixed_number(double value) {
   if constexpr (std::is_integral_v<Number>) {
@@ -30,7 +30,7 @@ Number mixed_number(double value) {
   }
 }
 
-/// The mean of three values of a number or vector type, of those whose weight is not 0.
+/// The weighted mean of up to three values, numbers or vectors. Values of weight 0 are not read.
 template <class Value, class Values>
 Value mixed_value(const Values& values, const std::array<int, 3>& from,
                   const std::array<double, 3>& weights, Mixing mixing) {
@@ -61,8 +61,8 @@ Value mixed_value(const Values& values, const std::array<int, 3>& from,
   }
 }
 
-/// Hands over each property of vertices that a mesh has of its own and that can be mixed, but for
-/// the points.
+/// Calls `take` with the values of each standard vertex property that the mesh has: normals,
+/// colours and texture coordinates.
 template <class Mesh, class Take>
 void each_mixed_of_vertices(Mesh& mesh, Take take) {
   const auto give = [&](bool has, auto handle, Mixing mixing) {
@@ -74,7 +74,7 @@ void each_mixed_of_vertices(Mesh& mesh, Take take) {
   give(mesh.has_vertex_texcoords2D(), mesh.vertex_texcoords2D_pph(), Mixing::kLinear);
   give(mesh.has_vertex_texcoords3D(), mesh.vertex_texcoords3D_pph(), Mixing::kLinear);
 }
-/// The same of halfedges, whose values belong to the corner of their face at their head.
+/// The same for halfedges. A value belongs to the corner of the halfedge's face at its head.
 template <class Mesh, class Take>
 void each_mixed_of_halfedges(Mesh& mesh, Take take) {
   const auto give = [&](bool has, auto handle, Mixing mixing) {

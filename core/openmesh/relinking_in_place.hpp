@@ -1,4 +1,4 @@
-// Relinking in place is done whole or not at all.
+// Relinking in place changes a mesh completely or, after an exception, not at all.
 #pragma once
 
 #include "talweg/core/openmesh/property_carrying.hpp"
@@ -6,7 +6,7 @@
 
 namespace talweg {
 
-/// Sets what the lists say. Nothing here can fail. O(what they list).
+/// Sets the links in the lists. Cannot fail. O(length of the lists).
 template <class Mesh>
 void relink(Mesh& mesh, const Relinking& changes) noexcept {
   for (const auto& [h, v] : changes.heads) mesh.set_vertex_handle(h, v);
@@ -16,8 +16,9 @@ void relink(Mesh& mesh, const Relinking& changes) noexcept {
   for (const auto& [v, h] : changes.of_vertices) mesh.set_halfedge_handle(v, h);
 }
 
-/// Makes room, has `fill` give the new elements their values by a PropertyCarrier, and relinks.
-/// Throws what making room and `fill` throw; the mesh is then as before.
+/// Resizes the mesh, fills the properties of new elements, calls `fill` with the PropertyCarrier
+/// for more of them, and relinks. An exception from resizing, copying or `fill` leaves the mesh
+/// unchanged.
 template <class Mesh, class Fill>
 void change(Mesh& mesh, const Relinking& changes, Fill fill) {
   PropertyCarrier<Mesh> properties(mesh, changes);

@@ -1,4 +1,4 @@
-// Splitting makes a mesh of its own of each piece of an OpenMesh mesh, with all properties.
+// Splitting makes a separate mesh of each piece of an OpenMesh mesh, with all properties.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@
 
 namespace talweg {
 
-/// Leaves out the faces that are not wanted, and the edges and vertices that no other face has;
-/// what is left keeps its order and all properties. Wanted faces and others must share no vertex.
-/// Status attributes are not needed.
+/// Removes the unwanted faces, and edges and vertices that no wanted face has. The remaining
+/// elements keep their order and all properties. A wanted and an unwanted face must share no
+/// vertex. Needs no status attributes.
 template <class Mesh>
 class FaceKeeper {
  public:
@@ -83,8 +83,8 @@ class FaceKeeper {
     return OpenMesh::HalfedgeHandle(2 * edges_[static_cast<std::size_t>(h.idx() / 2)] +
                                     h.idx() % 2);
   }
-  /// Elements only move down, so those that are still to come are not written over; but for the
-  /// links back, which are not read.
+  /// Elements only move to smaller handles, so no unread element is overwritten. The exception is
+  /// links to previous halfedges, which are not read.
   void move_edge(int e) {
     const int to = edges_[static_cast<std::size_t>(e)];
     for (const int side : {0, 1}) {
@@ -117,7 +117,7 @@ class FaceKeeper {
   Numbers faces_, edges_, vertices_;
 };
 
-/// The pieces from `first` to before `last`, each as a mesh. O(mesh · log(pieces)).
+/// Appends the pieces first, ..., last - 1, each as a mesh. O(mesh · log(pieces)).
 template <class Mesh>
 void append_pieces(Mesh mesh, const std::vector<int>& piece_of, int first, int last,
                    std::vector<Mesh>& parts) {
@@ -140,11 +140,12 @@ void append_pieces(Mesh mesh, const std::vector<int>& piece_of, int first, int l
   append(std::move(mesh), middle, last);
 }
 
-/// Takes a mesh apart along chains, as those of embed_curves(): a mesh for each piece, ordered by
-/// their first faces, with all properties and status bits; elements keep their order, and deleted
-/// ones and isolated vertices are left out. With `lids` the seam's rims are closed, as add_lids()
-/// does and with its errors. `mesh` itself does not change. O(mesh · log(pieces)). Throws
-/// Error(kBadCurve) as open_seam() does.
+/// Splits a mesh along chains, such as the chains of embed_curves(), into one mesh per piece, with
+/// all properties and status bits. The pieces are ordered by their first faces. Elements keep their
+/// order; deleted elements and isolated vertices are left out. With `lids` the rims of the seams
+/// are closed, with the lids and errors of add_lids(). `mesh` does not change. O(mesh ·
+/// log(pieces)). Throws Error(kBadCurve) as open_seam() does, and Error(kBadMesh) for pieces that
+/// are joined at one vertex.
 template <class Traits>
 std::vector<OpenMesh::TriMesh_ArrayKernelT<Traits>> split_along(
     const OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, std::span<const HandleChain> chains,

@@ -9,11 +9,11 @@
 
 namespace talweg {
 
-/// Faces side by side around a vertex, counterclockwise.
+/// Consecutive faces around a vertex, counterclockwise.
 struct VertexSector {
-  std::vector<OpenMesh::HalfedgeHandle> outgoing;  ///< of the vertex, one in each face
+  std::vector<OpenMesh::HalfedgeHandle> outgoing;  ///< from the vertex, one per face
 
-  /// The face's halfedges at the sector's sides: the first leaves the vertex, the last comes to it.
+  /// The halfedges on the two sides of the sector: first() leaves the vertex, last() ends there.
   [[nodiscard]] OpenMesh::HalfedgeHandle first() const { return outgoing.front(); }
   template <class Mesh>
   [[nodiscard]] OpenMesh::HalfedgeHandle last(const Mesh& mesh) const {
@@ -27,8 +27,8 @@ struct VertexSector {
   }
 };
 
-/// The sectors of a vertex; the one with the least face comes first. `is_seam` of an edge.
-/// O(degree), log of its sectors.
+/// The sectors of a vertex, ordered by their smallest face handle. `is_seam` tells whether an edge
+/// is a seam. O(degree · log(sectors)).
 template <class Mesh, class IsSeam>
 std::vector<VertexSector> sectors_of(const Mesh& mesh, OpenMesh::VertexHandle v,
                                      const IsSeam& is_seam) {

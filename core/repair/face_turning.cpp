@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoSide = std::numeric_limits<std::uint32_t>::max();
 
-/// Collects the faces of a part, and whether each is turned relative to its first face.
+/// Visits the faces of a part, and finds whether each is turned relative to the first face.
 class Flood {
  public:
   Flood(const MeshLists& lists, const std::vector<bool>& proper)
@@ -29,7 +29,7 @@ class Flood {
 
   [[nodiscard]] bool seen(std::uint32_t face) const { return seen_[face]; }
 
-  /// The faces of the part of `first` to turn.
+  /// The faces to turn in the part of face `first`; empty if the part is one-sided.
   std::vector<std::uint32_t> part_of(std::uint32_t first) {
     std::vector<std::uint32_t> part{first};
     seen_[first] = true;
@@ -62,7 +62,7 @@ class Flood {
   }
 
   const MeshLists& lists_;
-  std::vector<std::uint32_t> across_;  ///< the other side of the edge, per side
+  std::vector<std::uint32_t> across_;  ///< per side, the opposite side of the edge
   std::vector<bool> seen_;
   std::vector<bool> turned_;
 };

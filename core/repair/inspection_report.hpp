@@ -1,4 +1,4 @@
-// An inspection report is what is told of a mesh and its repair, as entries.
+// An inspection report describes a mesh and its repair as named entries.
 #pragma once
 
 #include <optional>
@@ -15,17 +15,17 @@ struct NearVertices;  // vertex_welding.hpp
 /// "usable", "repairable" or "not_usable".
 const char* to_string(MeshVerdict verdict);
 
-/// What the mesh is, every kind of defect with its count and first places, and the verdict. What is
-/// unknown is infinite. Angles in radians, lengths in mesh units.
+/// The description of the mesh, every kind of defect with its count and first places, and the
+/// verdict. Unknown values are infinite. Angles in radians, lengths in mesh units.
 std::vector<ReportEntry> entries_of(const MeshInspection& inspection);
 
-/// What a repair did, and the verdict on the mesh after it: the group "repair".
+/// The group "repair": the changes of a repair, and the verdict on the repaired mesh.
 std::vector<ReportEntry> entries_of(const MeshChanges& changes, const MeshInspection& after);
 
-/// How many vertices nearly coincide with others: the group "near_vertices".
+/// The group "near_vertices": the number of vertices that nearly coincide with others.
 std::vector<ReportEntry> entries_of(const NearVertices& near);
 
-/// What welding would give the mesh that was inspected, with a sentence: the group "weld".
+/// The group "weld": the result of welding the inspected mesh, with a sentence.
 std::vector<ReportEntry> entries_of(const std::optional<WeldedMesh>& welded,
                                     const MeshInspection& before);
 

@@ -1,4 +1,4 @@
-// Names of repair steps, and sentences on what a repair did.
+// Names of repair steps, and sentences about the changes of a repair.
 #include <cmath>
 #include <locale>
 #include <sstream>

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::uint32_t kNoVertex = RepairMap::kDropped;
 
-using Image = std::pair<std::uint32_t, std::uint32_t>;  ///< vertex of the file, what it became
+using Image =
+    std::pair<std::uint32_t, std::uint32_t>;  ///< a vertex of the file and of the repaired lists
 
 bool mendable(const MeshLists& lists) {
   const std::size_t n = lists.points.size();
@@ -31,7 +32,7 @@ bool mendable(const MeshLists& lists) {
          all_measurable(lists) && large_enough(lists);
 }
 
-/// A dropped face, the face that it repeats, and for each of its corners the matching corner there.
+/// A dropped face, the face that it repeats, and per corner the matching corner of that face.
 struct Double {
   RepeatPlace place;
   std::array<std::uint8_t, 3> corner;
@@ -46,7 +47,7 @@ std::array<std::uint8_t, 3> corners_in(const Triangle& t, const Triangle& other)
   return corner;
 }
 
-/// The lists during the repair; all faces of the file stay in place until the end.
+/// The lists during the repair. All faces of the file keep their places until finished().
 class Repair {
  public:
   explicit Repair(const MeshLists& file)
@@ -94,7 +95,7 @@ class Repair {
     }
   }
 
-  /// Faces that can be joined to others.
+  /// Per face, whether it is kept and has three different vertices.
   [[nodiscard]] std::vector<bool> proper() const {
     std::vector<bool> result = kept_;
     for (std::size_t f = 0; f < result.size(); ++f) {
@@ -112,7 +113,7 @@ class Repair {
     }
   }
 
-  /// The corner in the file that corresponds to a corner of the lists.
+  /// The corner in the file that corresponds to corner k of face f in the lists.
   [[nodiscard]] std::uint32_t file_corner(std::uint32_t f, std::uint32_t k) const {
     return turned_[f] && k > 0 ? 3 - k : k;
   }
@@ -121,8 +122,8 @@ class Repair {
     const std::vector<bool> joined = proper();
     const Sheets sheets = split_sheets(lists_, joined);
     for (const std::vector<FaceSide>& edge : sheets.crowded) count_crowded(edge);
-    // Each fan gets the smallest vertex of the file in it that no other fan has taken, so that
-    // vertices welded without need are separate again; a fan without such a vertex gets a copy.
+    // Each fan gets the smallest of its file vertices that no other fan has taken. Vertices that
+    // were welded without need are then separate again. A fan without such a vertex gets a copy.
     std::vector<Image> wishes;  // fan, vertex of the file
     for (std::uint32_t f = 0; f < joined.size(); ++f) {
       for (std::uint32_t k = 0; joined[f] && k < 3; ++k) {
@@ -138,7 +139,7 @@ class Repair {
     }
   }
 
-  /// Counts edges of the file only, not those that welding created.
+  /// Counts edges with more than two faces in the file, not edges that welding created.
   void count_crowded(const std::vector<FaceSide>& edge) {
     std::vector<std::pair<std::array<std::uint32_t, 2>, std::uint32_t>> sides;
     for (const FaceSide& s : edge) {
@@ -183,8 +184,8 @@ class Repair {
     return static_cast<std::uint32_t>(lists_.points.size() - 1);
   }
 
-  /// For every vertex of the file the vertices that it became, sorted; a vertex in no remaining
-  /// face maps to itself.
+  /// Pairs of a file vertex and a repaired vertex that it became, sorted. A vertex in no face of
+  /// the file maps to itself.
   [[nodiscard]] std::vector<Image> vertex_images() const {
     std::vector<Image> images;
     std::vector<bool> used(file_.points.size(), false);
@@ -195,7 +196,7 @@ class Repair {
         used[v] = true;
       }
     }
-    // A repeated face's corners are those of the face that stays, whatever became of its vertices.
+    // The corners of a repeated face map to the corners of the face that stays.
     for (const Double& d : doubles_) {
       const std::uint32_t f = d.place.earlier;
       for (std::uint32_t k = 0; kept_[f] && k < 3; ++k) {
@@ -204,7 +205,7 @@ class Repair {
         used[v] = true;
       }
     }
-    std::vector<Image> left;  // vertices of dropped faces follow the one they were welded onto
+    std::vector<Image> left;  // other vertices of dropped faces: as welded
     for (std::uint32_t f = 0; f < kept_.size(); ++f) {
       for (std::uint32_t k = 0; !kept_[f] && k < 3; ++k) {
         const std::uint32_t v = file_.triangles[f][k];
@@ -235,7 +236,7 @@ class Repair {
     }
   }
 
-  /// The image of a face that stays, with its corners in the file's order.
+  /// The image of a kept face, with its corners in the order of the file.
   [[nodiscard]] RepairMap::FaceImage image_of(std::uint32_t f, std::uint32_t number) const {
     RepairMap::FaceImage image{number, {0, 1, 2}};
     if (turned_[f]) std::swap(image.corner[1], image.corner[2]);
@@ -305,7 +306,8 @@ void try_repair(const MeshLists& lists, MeshInspection& inspection) {
 
 namespace {
 
-/// Welding and the steps that must follow it; nothing where the mesh is not usable then.
+/// The result of the step `weld` and the steps that must follow it; empty if the result is not
+/// usable.
 std::optional<WeldedMesh> welded_by(const MeshLists& lists, const std::string& weld) {
   WeldedMesh welded;
   const auto inspect_with = [&](const std::string& steps) {
@@ -322,7 +324,7 @@ std::optional<WeldedMesh> welded_by(const MeshLists& lists, const std::string& w
   return welded;
 }
 
-/// Whether welding joins more parts or closes more of the boundary.
+/// Whether `welded` has fewer components or boundary loops than `than`.
 bool joins_more(const MeshInspection& welded, const MeshInspection& than) {
   return welded.components < than.components || welded.boundary_loops < than.boundary_loops;
 }

@@ -1,4 +1,4 @@
-// Repair makes a surface of raw lists, keeps the geometry, and tells every change.
+// Repair turns raw lists into a manifold surface, keeps the geometry, and records every change.
 #pragma once
 
 #include <cstddef>
@@ -16,41 +16,41 @@ namespace talweg {
 
 struct NearVertices;  // vertex_welding.hpp
 
-/// What repair() may do, in the order it is done.
+/// The steps of repair(), in their order.
 struct RepairSteps {
-  bool weld = true;    ///< vertices at one position become one (vertex_welding.hpp)
+  bool weld = true;    ///< vertices at the same position are merged (vertex_welding.hpp)
   bool drop = true;    ///< faces without area and repeated faces are dropped
   bool orient = true;  ///< faces are turned to agree with their neighbours
-  bool split = true;   ///< crowded edges and bow-ties are cut into sheets (sheet_splitting.hpp)
-  double weld_tolerance = 0;  ///< mesh units: vertices that near are welded, too; 0: only rounding
+  bool split = true;  ///< edges with more than two faces and bow-ties are cut (sheet_splitting.hpp)
+  double weld_tolerance = 0;  ///< mesh units: vertices within it are welded, too; 0: only rounding
 
   friend bool operator==(const RepairSteps&, const RepairSteps&) = default;
 };
 
-/// Parses names separated by commas: weld, drop, orient, split, or all; weld may have a tolerance,
-/// "weld=1e-4". Throws Error(kBadUsage) naming an unknown word or a tolerance that is no positive
-/// number, and for an empty list.
+/// Parses a comma-separated list of steps: weld, drop, orient, split, or all; weld may have a
+/// tolerance, "weld=1e-4". Throws Error(kBadUsage) for an unknown word, for a tolerance that is not
+/// a positive number, and for an empty list.
 RepairSteps repair_steps(std::string_view list);
 
-/// What a repair did. Numbers are those of the lists before the repair.
+/// The changes of a repair. Ids are those of the lists before the repair.
 struct MeshChanges {
-  double weld_tolerance = 0;              ///< mesh units; 0 where there was nothing to weld
-  double weld_distance = 0;               ///< mesh units: the farthest that a corner was moved
-  Defect<RepeatPlace> welded_vertices;    ///< each with the vertex that replaces it
-  std::size_t held_apart = 0;             ///< vertices within the tolerance that stay (Welding)
-  Defect<std::uint32_t> flattened_faces;  ///< that have no area any more since their corners moved
-  Defect<std::uint32_t> collapsed_faces;  ///< dropped: a vertex twice, in the file or after welding
-  Defect<RepeatPlace> duplicate_faces;    ///< dropped: the same three vertices as an earlier one
-  Defect<std::uint32_t> zero_area_faces;  ///< dropped: zero area, and dropping leaves no gap
-  Defect<std::uint32_t> turned_faces;     ///< their corners 1 and 2 exchanged
-  Defect<EdgePlace> split_edges;          ///< that had more than two faces
+  double weld_tolerance = 0;  ///< mesh units, rounding included; 0 if the step was not done
+  double weld_distance = 0;   ///< mesh units: the largest move of a corner
+  Defect<RepeatPlace> welded_vertices;    ///< vertices with their replacements
+  std::size_t held_apart = 0;             ///< unwelded vertices within the tolerance (Welding)
+  Defect<std::uint32_t> flattened_faces;  ///< faces that lost their area by welding
+  Defect<std::uint32_t> collapsed_faces;  ///< dropped: name a vertex twice, also after welding
+  Defect<RepeatPlace> duplicate_faces;    ///< dropped: the same three vertices as an earlier face
+  Defect<std::uint32_t> zero_area_faces;  ///< dropped: zero area, and removal leaves no gap
+  Defect<std::uint32_t> turned_faces;     ///< faces with corners 1 and 2 exchanged
+  Defect<EdgePlace> split_edges;          ///< edges of the file with more than two faces
   Defect<std::uint32_t> split_vertices;   ///< vertices that became several
   std::size_t vertex_copies = 0;          ///< vertices added by splitting
 
   [[nodiscard]] bool any() const;
 };
 
-/// One sentence for each kind of change, with how many and the first places.
+/// One sentence per kind of change, with the number of changes and the first places.
 std::vector<std::string> sentences(const MeshChanges& changes);
 
 struct RepairedMesh {
@@ -59,45 +59,44 @@ struct RepairedMesh {
   MeshChanges changes;
 };
 
-/// Does the steps, each where it is needed. Only welding changes positions, and only the faces
-/// reported as dropped are missing afterwards.
+/// Repairs a mesh by the given steps. Only welding changes positions, and only the faces reported
+/// as dropped are removed.
 ///
-/// Weld: as weld_vertices(), each group at the place of its vertex with the smallest number; a
-/// vertex that splitting would separate again keeps its own number. Drop: of faces with the same
-/// vertices the first stays; a face of zero area is dropped only where its neighbours keep theirs,
-/// or where it is a flap on the boundary. Orient: in each part joined over edges with two faces the
-/// smaller set of faces is turned; if both are equally large, the part's first face is kept. A
-/// one-sided part stays as it is. inspect() tells what was left undone; a usable mesh with nothing
-/// to weld or drop is unchanged. O(faces log faces).
+/// Weld: groups of weld_vertices() move to the position of their smallest vertex; a vertex that
+/// splitting would separate again keeps its number. Drop: the first of several faces with the same
+/// vertices stays; a face of zero area is dropped only if the removal leaves no gap
+/// (faces_to_drop()). Orient: in each part joined over edges with two faces the smaller set of
+/// faces is turned; if both sets have equal size, the part's first face is kept. A one-sided part
+/// stays unchanged. inspect() of the result finds the remaining defects. A usable mesh without
+/// vertices to weld or faces to drop is unchanged. O(faces log faces).
 ///
-/// Throws Error(kBadMesh) for what no repair can fix: no vertices, no faces, an index out of range,
-/// a coordinate that is not finite or beyond 1e40, a mesh or edges that are too small.
+/// Throws Error(kBadMesh) for a defect that no repair can fix: no vertices, no faces, an index out
+/// of range, a coordinate that is not finite or beyond 1e40, a mesh or an edge that is too small.
 RepairedMesh repair(const MeshLists& lists, const RepairSteps& steps = {});
 
-/// The same; also throws Error(kBadMesh) if the repaired lists are no surface, either.
+/// repair() that also throws Error(kBadMesh) if the repaired mesh is not usable.
 RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps = {});
 
-/// Tries the steps that a kRepairable verdict on the lists names, because only a trial shows how
-/// they affect each other: after faces are dropped, the rest may turn out one-sided. If the steps
-/// do not help, the verdict becomes kUnusable and the reason says why. Other verdicts stay. Time
-/// and memory are those of repair().
+/// Tries the steps of a kRepairable inspection of the lists. Only a trial shows how the steps
+/// affect each other: after faces are dropped, the rest may be one-sided. If the result is not
+/// usable, the verdict becomes kUnusable, and the reason says why. Other verdicts stay. Time and
+/// memory are those of repair().
 void try_repair(const MeshLists& lists, MeshInspection& inspection);
 
-/// A usable mesh in which vertices at the same place have been welded.
+/// The inspection of a mesh after welding, usable.
 struct WeldedMesh {
-  std::string steps;     ///< for repair_steps(): "weld", and the steps that must follow it
-  double tolerance = 0;  ///< mesh units: that of the steps; 0 where positions are the same
-  std::size_t vertices =
-      0;  ///< that were welded onto others; with a tolerance, that lie near others
+  std::string steps;         ///< for repair_steps(): "weld" and the steps that must follow
+  double tolerance = 0;      ///< mesh units, of the step weld; 0 if only equal positions are welded
+  std::size_t vertices = 0;  ///< welded onto others, or with a tolerance near others
   MeshInspection after;
 };
 
-/// The result of welding where vertices lie at the same place, as in a soup of single triangles, or
-/// nearly coincide (near_vertices()), whichever joins more. Nothing if welding joins no parts and
-/// closes no boundary, or if the mesh is not usable before or after. Time and memory are those of
-/// repair().
+/// Tries welding of equal positions, as in a soup of single triangles, and of nearly equal
+/// positions (near_vertices()); the result is the welding that joins more. Empty if welding neither
+/// joins components nor closes boundary loops, or if the mesh is not usable before or after. Time
+/// and memory are those of repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
-/// The same with near_vertices(lists, before), where it is known.
+/// The same with a known result `near` of near_vertices(lists, before).
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,
                                    const NearVertices& near);
 

@@ -48,7 +48,8 @@ std::uint32_t ReachTree::build(std::uint32_t begin, std::uint32_t end) {
   return id;
 }
 
-/// Those with a longer reach come first, so whatever is near a vertex when it comes reaches it.
+/// Vertices with a longer reach are inserted first. Two vertices are then joined if their distance
+/// is at most the smaller reach, which is the reach of the vertex inserted later.
 void ReachTree::join() {
   std::vector<std::uint32_t> by_reach(vertices_.size());
   std::iota(by_reach.begin(), by_reach.end(), 0U);
@@ -65,7 +66,7 @@ void ReachTree::join_to(std::uint32_t id, std::uint32_t v) {
   Node& node = nodes_[id];
   if (node.one == kNone || is_of_one(node, v)) return;
   const Point& p = points_[v];
-  // Rounding of distances must not keep a box from a point in it.
+  // Rounding of distances must not exclude a box that contains a point within reach.
   constexpr double kRounding = 1 + 1e-12;
   const Point nearest = p.cwiseMax(node.low).cwiseMin(node.high);
   if (point_distance(p, nearest) > reach_[v] * kRounding) return;
@@ -88,7 +89,7 @@ void ReachTree::join_to(std::uint32_t id, std::uint32_t v) {
   }
 }
 
-/// Puts a vertex into its boxes, from the outermost.
+/// Inserts a vertex into the boxes around it, from the outermost.
 void ReachTree::put(std::uint32_t place) {
   is_in_[place] = true;
   const std::uint32_t v = vertices_[place];

@@ -1,4 +1,4 @@
-// A reach tree joins places that lie within reach of each other.
+// A reach tree joins points that lie within reach of each other.
 #pragma once
 
 #include <cstddef>
@@ -12,27 +12,27 @@
 
 namespace talweg {
 
-/// Boxes around points and around boxes. A box knows whether all points that were put into it so
-/// far are of one group, so that a new one looks at no more than one of them.
+/// A tree of boxes around points. A box records whether all points inserted so far are in one
+/// group; a new point of this group skips the box.
 class ReachTree {
  public:
-  /// `points`, `reach`: per vertex; all three must outlive the tree. The places of `vertices` must
-  /// all be different.
+  /// `points`, `reach` (mesh units): per vertex. `points`, `reach` and `groups` must outlive the
+  /// tree. No two of `vertices` may have the same position.
   ReachTree(std::span<const Point> points, std::span<const double> reach,
             std::vector<std::uint32_t> vertices, UnionFind& groups);
 
-  /// Joins each two vertices whose distance is at most either's reach. O(n log n) for n vertices;
-  /// worse only for many that are all equally far from others.
+  /// Joins every two vertices whose distance is at most the reach of both. O(n log n) for n
+  /// vertices; slower only for many vertices at equal distances from others.
   void join();
 
  private:
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   struct Node {
     Point low, high;
-    std::uint32_t begin = 0, end = 0;  // of vertices_
+    std::uint32_t begin = 0, end = 0;  // range of vertices_
     std::uint32_t right = 0;           // the first child follows its parent; 0: no children
-    std::uint32_t one = kNone;         // a vertex that was put in
-    bool mixed = false;                // whether others may be of another group
+    std::uint32_t one = kNone;         // an inserted vertex
+    bool mixed = false;                // whether inserted vertices may be in different groups
   };
 
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
@@ -45,7 +45,7 @@ class ReachTree {
   std::span<const Point> points_;
   std::span<const double> reach_;
   std::vector<std::uint32_t> vertices_;
-  std::vector<bool> is_in_;  // by place in vertices_
+  std::vector<bool> is_in_;  // per entry of vertices_, whether it is inserted
   std::vector<Node> nodes_;
   UnionFind& groups_;
 };

@@ -18,9 +18,9 @@ namespace {
 
 using Choices = std::vector<std::span<const std::uint32_t>>;
 
-/// Picks one vertex of each choice so that as few steps as possible leave the surface's part, and
-/// among these so that as few as possible lead to a vertex that is no neighbour. The first of
-/// equals wins.
+/// Picks one vertex of each choice by dynamic programming. The path has as few steps as possible
+/// between components, and among such paths as few steps as possible between vertices that are not
+/// neighbours. The first of equally good paths is picked.
 class Picker {
  public:
   Picker(const Surface& surface, const Choices& choices)
@@ -185,7 +185,8 @@ std::vector<VertexId> RepairMap::moved(const std::vector<VertexId>& ids, bool cl
 
 std::vector<SurfacePoint> RepairMap::on_one_sheet(std::vector<SurfacePoint> points, bool closed,
                                                   const Surface& repaired) const {
-  std::vector<std::uint32_t> anchors(points.size());  // a vertex near each point
+  std::vector<std::uint32_t> anchors(
+      points.size());  // per point inside an edge or a face, a vertex of it
   Choices choices;
   bool several = false;
   for (std::size_t k = 0; k < points.size(); ++k) {

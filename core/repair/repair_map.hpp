@@ -1,5 +1,4 @@
-// A repair map leads from the numbers of a file's vertices and faces to the repaired mesh's, and
-// back.
+// A repair map converts vertices, faces and curves between a file and its repaired mesh.
 #pragma once
 
 #include <array>
@@ -15,23 +14,23 @@
 
 namespace talweg {
 
-/// Made by repair(). Vertices of the file keep their numbers, even if no face uses them any more;
-/// copies are numbered after the last one. The remaining faces keep the file's order. O(vertices +
-/// faces) to make and to convert values, O(points) for a curve. Worse: each curve through a vertex
-/// that was split costs O(mesh), and the copies of its vertices cubed.
+/// Made by repair(). Vertices of the file keep their numbers, even without a face; copies are
+/// numbered after the last vertex of the file. The kept faces are in the order of the file. Making
+/// the map and converting values is O(vertices + faces), converting a curve O(points). A curve
+/// through a split vertex costs O(mesh), and at each point the cube of the number of copies.
 class RepairMap {
  public:
   static constexpr std::uint32_t kDropped = std::numeric_limits<std::uint32_t>::max();
 
-  /// The face that a face of the file became.
+  /// The face of the repaired mesh that a face of the file became.
   struct FaceImage {
-    std::uint32_t face = kDropped;  ///< of the repaired mesh; for a repeated face the first one
-    std::array<std::uint8_t, 3> corner{0, 1, 2};  ///< its corner for each corner here
+    std::uint32_t face = kDropped;                ///< for a repeated face, the face that stays
+    std::array<std::uint8_t, 3> corner{0, 1, 2};  ///< per corner in the file, the corner of `face`
   };
 
   RepairMap() = default;
-  /// `vertex_to_file`: for every vertex of the repaired mesh. `face_to_file`: for every face of it.
-  /// `images`: for every face of the file. `pairs`: (vertex of the file, vertex it became), sorted,
+  /// `vertex_to_file`, `face_to_file`: one entry per vertex and face of the repaired mesh.
+  /// `images`: one per face of the file. `pairs`: (vertex of the file, repaired vertex), sorted,
   /// with every vertex of the file at least once.
   RepairMap(std::vector<std::uint32_t> vertex_to_file, std::vector<std::uint32_t> face_to_file,
             std::vector<FaceImage> images,
@@ -39,18 +38,21 @@ class RepairMap {
 
   [[nodiscard]] std::size_t file_vertex_count() const { return first_.size() - 1; }
   [[nodiscard]] std::size_t file_face_count() const { return images_.size(); }
-  [[nodiscard]] std::size_t vertex_count() const { return to_file_.size(); }  ///< repaired
+  [[nodiscard]] std::size_t vertex_count() const {
+    return to_file_.size();
+  }  ///< of the repaired mesh
   [[nodiscard]] std::size_t face_count() const { return face_to_file_.size(); }
   [[nodiscard]] VertexId file_vertex(VertexId v) const { return VertexId{to_file_[v.index()]}; }
   [[nodiscard]] FaceId file_face(FaceId f) const { return FaceId{face_to_file_[f.index()]}; }
   [[nodiscard]] const FaceImage& image(FaceId file_face) const {
     return images_[file_face.index()];
   }
-  /// The vertices that a vertex of the file became: itself, the one it was welded onto, or several
-  /// where it was split.
+  /// The repaired vertices of a vertex of the file: itself, the vertex that it was welded onto, or
+  /// several if it was split.
   [[nodiscard]] std::span<const std::uint32_t> images(VertexId file_vertex) const;
 
-  /// Values at the file's vertices or faces, converted to those of the repaired mesh.
+  /// Converts values per vertex or face of the file to values per vertex or face of the repaired
+  /// mesh.
   template <class Value>
   [[nodiscard]] std::vector<Value> of_vertices(const std::vector<Value>& values) const {
     return picked(values, to_file_);
@@ -60,7 +62,8 @@ class RepairMap {
     return picked(values, face_to_file_);
   }
 
-  /// A value for each vertex of the file: that of the vertex it became, the first one of several.
+  /// Converts values per repaired vertex to values per file vertex; a split vertex gets the value
+  /// of its first image.
   template <class Value>
   [[nodiscard]] std::vector<Value> to_file_vertices(const std::vector<Value>& values) const {
     std::vector<Value> result;
@@ -70,8 +73,7 @@ class RepairMap {
     }
     return result;
   }
-  /// A value for each face of the file: that of the face it became, and dropped(f) for a face f
-  /// that was dropped.
+  /// Converts values per repaired face to values per file face; a dropped face f gets dropped(f).
   template <class Value, class Dropped>
   [[nodiscard]] std::vector<Value> to_file_faces(const std::vector<Value>& values,
                                                  Dropped dropped) const {
@@ -84,16 +86,16 @@ class RepairMap {
     return result;
   }
 
-  /// Converts a curve from the file's numbers to those of the repaired mesh. For a vertex that was
-  /// split, the copy is chosen that is a neighbour of the points before and after, or else lies on
-  /// the same part of the surface. Positions stay as they are. Throws Error(kBadCurve) naming the
-  /// position in the curve where there is no such vertex or face, or the face was dropped.
+  /// Converts a curve from the file's numbers to numbers of the repaired mesh. At a split vertex,
+  /// the curve takes the copy that is a neighbour of the previous and next points, or at least lies
+  /// on the same component. A curve of positions is unchanged. Throws Error(kBadCurve) with the
+  /// place in the curve for a vertex or face that does not exist or a face that was dropped.
   [[nodiscard]] CurveInput to_repaired(const CurveInput& curve, const Surface& repaired) const;
-  /// Corrects points on the repaired mesh that were found by their positions: points at a vertex
-  /// that was split are moved to the copy that suits the points before and after, as above.
+  /// Corrects points on the repaired mesh that were found by position: points at a split vertex
+  /// move to the copy that to_repaired() would take.
   [[nodiscard]] std::vector<SurfacePoint> on_one_sheet(std::vector<SurfacePoint> points,
                                                        bool closed, const Surface& repaired) const;
-  /// Converts a curve on the repaired mesh to the file's numbers.
+  /// Converts a curve on the repaired mesh to numbers of the file.
   [[nodiscard]] PlacedCurve to_file(PlacedCurve curve) const;
 
  private:
@@ -114,7 +116,8 @@ class RepairMap {
   std::vector<std::uint32_t> to_file_;
   std::vector<std::uint32_t> face_to_file_;
   std::vector<FaceImage> images_;
-  std::vector<std::uint32_t> first_{0};  ///< index in became_ for each vertex of the file
+  std::vector<std::uint32_t> first_{
+      0};  ///< per vertex of the file, the index of its first image in became_
   std::vector<std::uint32_t> became_;
 };
 

@@ -16,9 +16,10 @@ namespace {
 constexpr std::size_t kMostPaired = 16;
 constexpr int kRounds = 4;
 
-using SidePair = std::pair<std::uint32_t, std::uint32_t>;  ///< positions among an edge's sides
+using SidePair =
+    std::pair<std::uint32_t, std::uint32_t>;  ///< two indices into the sides of an edge
 
-/// From the edge into the face, at right angles to the edge; zero for a face of zero area.
+/// The unit vector in the face perpendicular to the edge; zero for a face of zero area.
 Point into_face(const MeshLists& lists, const FaceSide& s) {
   const Point& base = lists.points[s.low];
   const Point along = (lists.points[s.high] - base).stableNormalized();
@@ -27,7 +28,7 @@ Point into_face(const MeshLists& lists, const FaceSide& s) {
   return (up - along.dot(up) * along).stableNormalized();
 }
 
-/// The pairs of faces that stay joined: the flattest first, each face in one pair.
+/// The pairs of faces that stay joined at an edge, chosen greedily from the flattest pair on.
 std::vector<SidePair> flattest_pairs(const MeshLists& lists, std::span<const FaceSide> edge) {
   if (edge.size() > kMostPaired) return {};
   std::vector<Point> into;
@@ -93,8 +94,7 @@ class Splitter {
     return fans;
   }
 
-  /// Whether more than two of the faces have both ends in the same fans, so that they would still
-  /// share one edge.
+  /// Whether more than two faces of the edge would still share both end vertices after splitting.
   bool still_crowded(UnionFind& fans, std::span<const FaceSide> edge) const {
     std::vector<SidePair> ends;
     for (const FaceSide& s : edge) {
@@ -108,8 +108,9 @@ class Splitter {
     return false;
   }
 
-  /// Cuts edges that are still crowded. Once all crowded edges are cut, at most two faces share
-  /// each, so the rounds end.
+  /// Cuts edges that are still crowded completely; after kRounds rounds, all crowded edges. Tells
+  /// whether an edge was cut. When all crowded edges are cut, at most two faces share any edge, so
+  /// the rounds end.
   bool cut_what_is_left(UnionFind& fans, int round) {
     bool any = false;
     for (Crowded& crowded : crowded_) {
@@ -125,7 +126,7 @@ class Splitter {
 
   const MeshLists& lists_;
   std::vector<FaceSide> sides_;
-  UnionFind plain_;  ///< corners joined over edges with two faces
+  UnionFind plain_;  ///< fans of corners joined over edges with two faces
   std::vector<Crowded> crowded_;
 };
 

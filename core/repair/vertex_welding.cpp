@@ -17,15 +17,15 @@ namespace {
 
 constexpr double kUnitsInTheLastPlace = 2;
 constexpr double kPartOfEdge = 0.25;
-constexpr double kPartOfEdgeWhereAsked = 0.5;  // for a tolerance that was given
-constexpr double kNear = 1e-4;                 // of the mean edge length
+constexpr double kPartOfEdgeWhereAsked = 0.5;  // for a given tolerance
+constexpr double kNear = 1e-4;                 // times the mean edge length
 
 double unit_of(const MeshLists& lists) {
   return lists.single_precision ? static_cast<double>(std::numeric_limits<float>::epsilon())
                                 : std::numeric_limits<double>::epsilon();
 }
 
-/// The smallest number of two digits that is no less than a length, but for its rounding; 0 for a
+/// A length rounded up to two significant digits, after subtracting its rounding error; 0 for a
 /// length of 0.
 double with_two_digits(double length, double rounding) {
   if (!(length > 0)) return 0;
@@ -91,7 +91,8 @@ class Welder {
     tolerance_ = kUnitsInTheLastPlace * unit_of(lists_) * largest + asked_;
   }
 
-  /// Joins equal positions; a group's shortest edge is the shortest of all its vertices.
+  /// Joins vertices at equal positions. The shortest edge of a group is the shortest at all its
+  /// vertices.
   void join_equal() {
     for (std::uint32_t v = 0; v < used_.size(); ++v) {
       if (used_[v]) places_.push_back(v);
@@ -128,7 +129,7 @@ class Welder {
     for (std::uint32_t v = 0; v < result.onto.size(); ++v) result.onto[v] = groups.find(v);
   }
 
-  /// Takes groups apart again that have both ends of an edge.
+  /// Separates groups that contain both ends of an edge.
   void keep_edges(Welding& result, UnionFind& equal) const {
     std::vector<bool> has_edge(result.onto.size(), false);
     for (const Triangle& t : lists_.triangles) {
@@ -144,13 +145,15 @@ class Welder {
     }
   }
 
-  /// How many vertices have others within the tolerance that they were not joined to.
+  /// The number of vertices that a tolerance without the bound by edges would have joined to
+  /// others.
   [[nodiscard]] std::size_t held_apart(const Welding& result,
                                        const std::vector<std::uint32_t>& crowded,
                                        UnionFind all) const {
     const std::vector<double> reach(lists_.points.size(), tolerance_);
     ReachTree(lists_.points, reach, crowded, all).join();
-    std::vector<std::uint32_t> one(result.onto.size(), kNone);  // of each wider group
+    std::vector<std::uint32_t> one(
+        result.onto.size(), kNone);  // per wider group, the welded vertex of its first member
     std::vector<bool> mixed(result.onto.size(), false);
     for (const std::uint32_t v : crowded) {
       std::uint32_t& first = one[all.find(v)];
@@ -162,8 +165,8 @@ class Welder {
     return count;
   }
 
-  /// One vertex of each position that may have others near. Of nearly all vertices a grid with
-  /// cells twice as wide as the tolerance tells that nothing else is near.
+  /// One vertex per position that may have others within the tolerance. A grid with cells twice as
+  /// wide as the tolerance excludes nearly all vertices.
   std::vector<std::uint32_t> crowded_places() {
     grid_.reserve(places_.size());
     for (const std::uint32_t v : places_) grid_.push_back({cell_of(lists_.points[v]), v});
@@ -199,7 +202,7 @@ class Welder {
   const MeshLists& lists_;
   double asked_;
   UnionFind groups_;
-  std::vector<double> shortest_;  ///< length of the shortest edge of positive length at each vertex
+  std::vector<double> shortest_;  ///< per vertex, the shortest positive edge length
   std::vector<bool> used_;
   std::vector<std::uint32_t> places_;  ///< one vertex per position
   std::vector<Placed> grid_;

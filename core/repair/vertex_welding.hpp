@@ -1,4 +1,4 @@
-// Welding finds which vertices of raw lists are one and the same.
+// Welding finds groups of vertices in raw lists that stand for the same point.
 #pragma once
 
 #include <cstddef>
@@ -11,34 +11,35 @@
 namespace talweg {
 
 struct Welding {
-  std::vector<std::uint32_t> onto;  ///< per vertex the smallest one of its group
-  double tolerance = 0;             ///< mesh units: the given one, and the rounding
-  std::size_t held_apart = 0;       ///< vertices that a given tolerance would have joined to others
+  std::vector<std::uint32_t> onto;  ///< per vertex, the smallest vertex of its group
+  double tolerance = 0;             ///< mesh units: the given tolerance plus the rounding
+  std::size_t held_apart = 0;       ///< vertices within a given tolerance of others that stay apart
 };
 
-/// Groups vertices of faces that lie at the same position, or close together: within two units in
-/// the last place of the mesh's largest coordinate (of 32-bit floats where the file stores those)
-/// and within a quarter of the shortest edge of positive length at either vertex. The second bound
-/// keeps neighbours on a coarsely rounded mesh apart. Vertices in no face stay alone. Every index
-/// must be in range and every coordinate finite. O(vertices log vertices).
+/// Groups vertices of faces at the same or nearly the same position: within two units in the last
+/// place of the mesh's largest coordinate (units of 32-bit floats if the file stores floats) and
+/// within a quarter of the shortest positive edge at both vertices. The second bound keeps
+/// neighbours on a coarsely rounded mesh apart. Vertices without a face are not grouped. Every
+/// index must be in range and every coordinate of a face finite. O(vertices log vertices).
 ///
-/// With `tolerance` > 0 (mesh units) vertices within it, and that rounding, are joined, if they are
-/// also within half of the shortest edge at either vertex; so are those that others join. A group
-/// that would have both ends of an edge stays apart, except for what lies at the same position. The
-/// groups do not depend on the order of vertices and faces.
+/// With `tolerance` > 0 (mesh units), vertices within the tolerance plus the rounding are joined if
+/// they are also within half of the shortest edge at both vertices; joining is transitive. A group
+/// with both ends of an edge is divided again into its different positions. The groups do not
+/// depend on the order of vertices and faces.
 Welding weld_vertices(const MeshLists& lists, double tolerance = 0);
 
-/// Vertices that nearly coincide with others, but have no edge to them.
+/// Vertices that nearly coincide with others to which no edge joins them.
 struct NearVertices {
-  double within = 0;       ///< mesh units: up to here others were looked for
-  std::size_t count = 0;   ///< vertices with another one that near, at another position
-  double largest_gap = 0;  ///< mesh units: from one of them to the one it would be welded onto
-  double tolerance = 0;    ///< mesh units, two digits: welding with it joins them; 0 without any
+  double within = 0;       ///< mesh units: the radius of the search
+  std::size_t count = 0;   ///< vertices with another within the radius, at another position
+  double largest_gap = 0;  ///< mesh units: the largest distance of a vertex to its group's smallest
+  double tolerance =
+      0;  ///< mesh units, two digits: joins the vertices when given to welding; 0 if there are none
 };
 
-/// The vertices that weld_vertices() would join within 1e-4 of the mesh's mean edge length, or four
-/// units in the last place of its largest coordinate if that is more. None where indices are out of
-/// range or coordinates not finite. O(vertices log vertices).
+/// The vertices that weld_vertices() would join with a tolerance of 1e-4 times the mean edge
+/// length, or four units in the last place of the largest coordinate if this is larger. None if an
+/// index is out of range or a coordinate not finite. O(vertices log vertices).
 NearVertices near_vertices(const MeshLists& lists, const MeshInspection& inspection);
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// A weld hint tells what welding would give a mesh whose vertices lie at one place.
+// A weld hint describes the result of welding a mesh with vertices at the same position.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace talweg {
 /// and no boundary instead of 960 boundary loops."
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded);
 
-/// That sentence after a blank, if welding helps: parts that only lie beside each other are not
-/// connected. Otherwise empty. Takes the time of inspect(), and of repair() if vertices lie at one
-/// place.
+/// weld_sentence() after a blank, if welding joins components or closes boundary; otherwise empty.
+/// A curve cannot cross between components that touch without sharing vertices. Takes the time of
+/// inspect(), and of repair() if there are vertices to weld.
 std::string weld_hint(const MeshLists& mesh);
 std::string weld_hint(const SurfaceMesh& mesh);
 

@@ -28,7 +28,7 @@ std::string told_of(const CleanedStroke& stroke) {
                      fmt::join(parts, " and "), stroke.farthest);
 }
 
-/// Cleans one curve, in its canonical order.
+/// Cleans one curve, given in its canonical order.
 class CurveCleaning {
  public:
   CurveCleaning(const SurfaceMesh& mesh, SurfaceCurve curve, const CurveOptions& options,
@@ -106,7 +106,7 @@ class CurveCleaning {
       const bool is_stroke = ends[k] + 1 < ends[k + 1] && strokes[(ends[k] + 1) % n];
       append(is_stroke ? cleaned(stretch, {is_free(ends[k]), is_free(ends[k + 1])}) : leg(stretch),
              stretch, ends[k], result);
-      if (k + 2 < ends.size() || curve_.closed) {  // the next stretch begins there
+      if (k + 2 < ends.size() || curve_.closed) {  // the next stretch repeats the point
         result.curve.points.pop_back();
         result.places.pop_back();
         --kept_;
@@ -114,7 +114,7 @@ class CurveCleaning {
     }
   }
 
-  /// A leg does not lead through clicks that are one with others.
+  /// A leg, made straight if it leads through a dropped click.
   [[nodiscard]] CleanedStroke leg(const SurfaceCurve& stretch) const {
     const bool leads_through =
         std::any_of(stretch.points.begin(), stretch.points.end(),
@@ -125,7 +125,8 @@ class CurveCleaning {
     return {stretch, {}};
   }
 
-  /// An end on the border is where the drawing left the mesh.
+  /// Whether an end of an open curve may be cut off. An end on the boundary, where the drawing left
+  /// the mesh, stays.
   [[nodiscard]] bool is_free(std::size_t end) const {
     return !curve_.closed && !std::binary_search(fixed_.begin(), fixed_.end(), end) &&
            !is_on_boundary(mesh_->surface(), curve_.points[end % curve_.points.size()]);
@@ -133,7 +134,8 @@ class CurveCleaning {
 
   [[nodiscard]] CleanedStroke cleaned(const SurfaceCurve& stretch, FreeEnds ends) const {
     CleanedStroke stroke = cleaned_stroke(*mesh_, stretch, trembling_, ends);
-    if (stroke.curve.points.size() < 3) return {stretch, {}};  // painted points need one
+    if (stroke.curve.points.size() < 3)
+      return {stretch, {}};  // a stretch needs an inner point that can be painted
     return stroke;
   }
 
@@ -152,7 +154,7 @@ class CurveCleaning {
     sum_.farthest = std::max(sum_.farthest, stroke.farthest);
   }
 
-  /// What was painted stays so, whichever of its points are left.
+  /// Marks an inner point of a cleaned stretch as painted if the given stretch had a painted point.
   void keep_painted(const CleanedStroke& stroke, const SurfaceCurve& given) {
     if (painted_points_.empty()) return;
     const PointLookup painted(painted_points_);
@@ -161,7 +163,7 @@ class CurveCleaning {
     if (any) painted_->push_back(stroke.curve.points[1]);
   }
 
-  PointLookup dropped_;  // clicks that are one with others
+  PointLookup dropped_;  // clicks that were merged with others
   bool any_dropped_;
   const SurfaceMesh* mesh_;
   SurfaceCurve curve_;
@@ -171,11 +173,11 @@ class CurveCleaning {
   DrawnLegs legs_;
   double trembling_ = 0;
   bool any_ = false;
-  std::size_t kept_ = 0;  // of the given points
+  std::size_t kept_ = 0;  // number of given points that are kept
   CleanedStroke sum_;
 };
 
-/// A curve that was cleaned in its canonical order, in the direction in which it was drawn.
+/// Converts a curve that was cleaned in canonical order to the direction in which it was drawn.
 void turn_back(const CurveOrder& order, std::size_t given_points, CleanedCurve& curve) {
   const auto n = static_cast<double>(given_points), start = static_cast<double>(order.start);
   for (double& place : curve.places) {
@@ -238,10 +240,10 @@ void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
 
 namespace {
 
-/// The clicks of one curve that are one with the click before, in its canonical order.
+/// Finds the clicks of one curve, in canonical order, that are merged with the previous click.
 class NearClicks {
  public:
-  /// Clicks that are passed more often than once stay.
+  /// `often`: points that curves pass more than once; clicks there stay.
   NearClicks(const SurfaceMesh& mesh, const SurfaceCurve& curve, const CurveOptions& options,
              const PointLookup& often)
       : mesh_(&mesh), curve_(&curve), often_(&often), arcs_{0} {
@@ -257,7 +259,8 @@ class NearClicks {
     distance_ = options.click_distance.value_or(usual_distance());
   }
 
-  /// Of successive clicks the first one stays; of an open curve, the ends.
+  /// The clicks to drop. Of consecutive near clicks the first stays, and the ends of an open curve
+  /// stay.
   [[nodiscard]] std::vector<SurfacePoint> dropped() {
     std::vector<SurfacePoint> dropped;
     if (clicks_.size() <= fewest() || !(distance_ > 0)) return dropped;
@@ -291,10 +294,10 @@ class NearClicks {
   [[nodiscard]] double farthest() const { return farthest_; }
 
  private:
-  /// A spline needs two clicks, and three where it is closed.
+  /// A spline needs two clicks, a closed spline three.
   [[nodiscard]] std::size_t fewest() const { return curve_->closed ? 3 : 2; }
-  /// Along the drawing: what comes back from afar is no second click. A place after the last point
-  /// of a loop is in its next round.
+  /// The distance along the drawing from point a to point b. Distances in space would merge clicks
+  /// where the drawing comes back. For a loop, b may be a point of the next round.
   [[nodiscard]] double between(std::size_t a, std::size_t b) const {
     const std::size_t n = curve_->points.size();
     return b < n ? arcs_[b] - arcs_[a] : arcs_[n] - arcs_[a] + arcs_[b - n];
@@ -315,12 +318,12 @@ class NearClicks {
   const SurfaceMesh* mesh_;
   const SurfaceCurve* curve_;
   const PointLookup* often_;
-  std::vector<double> arcs_;  // to each point, and to the first one after a round
+  std::vector<double> arcs_;  // arc length of each point; then of a whole loop
   std::vector<std::size_t> clicks_;
   double distance_ = 0, farthest_ = 0;
 };
 
-/// Takes the clicks of a curve that are one with others from the options; returns and tells them.
+/// Removes merged clicks of a curve from the options. Returns them, with a sentence for the user.
 std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                        const PointLookup& often, CurveOptions& options,
                                        std::vector<std::string>& told) {
@@ -338,7 +341,7 @@ std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCur
   return dropped;
 }
 
-/// The points at which curves cross or meet themselves or others.
+/// The points that curves pass more than once.
 PointLookup points_passed_often(std::span<const SurfaceCurve> curves) {
   PointLookup once, often;
   for (const SurfaceCurve& curve : curves) {

@@ -1,4 +1,5 @@
-// A cleaned drawing is what is smoothed of the curves that were given.
+// A cleaned drawing has the given curves without rests and hooks of the hand and without double
+// clicks.
 #pragma once
 
 #include <span>
@@ -15,40 +16,41 @@
 
 namespace talweg {
 
-/// One of its curves.
+/// A cleaned curve.
 struct CleanedCurve {
   SurfaceCurve curve;
   StrokeSlack slack;
-  /// Per point where it was on the given curve, as in CleanedStroke; empty if that is as it was.
+  /// Per point, its place on the given curve, as in CleanedStroke; empty if the curve is unchanged.
   std::vector<double> places;
-  std::size_t left_out = 0;       ///< how many of the given points
-  double farthest = 0;            ///< mesh units: from what is left
-  CurveMeasures measures;         ///< of the given curve, unless it is as it was
-  std::vector<std::string> told;  ///< sentences for the user: on rests, hooks, clicks
+  std::size_t left_out = 0;  ///< number of given points that were left out
+  double farthest = 0;       ///< mesh units: largest distance of a point left out from the curve
+  CurveMeasures measures;    ///< of the given curve, if it was changed
+  std::vector<std::string> told;  ///< sentences for the user about rests, hooks, clicks
 
-  /// Values at the given points, linear in between, at the points of `curve`.
+  /// Interpolates values at the given points linearly at the points of `curve`.
   [[nodiscard]] std::vector<double> values(std::span<const double> given, bool closed) const;
 };
 
 struct CleanedDrawing {
   std::vector<CleanedCurve> curves;
-  std::vector<SurfacePoint> painted;  ///< of the options, on the cleaned curves
-  std::vector<WayPoint> way_points;   ///< of the options, without those that are one with others
+  std::vector<SurfacePoint> painted;  ///< painted points on the cleaned curves
+  std::vector<WayPoint> way_points;   ///< way-points without merged ones
 
   [[nodiscard]] std::vector<SurfaceCurve> drawn() const;
   [[nodiscard]] std::vector<StrokeSlack> slacks() const;
 };
 
-/// What the report on a curve says of what was given.
+/// Adds the cleaning of a curve to its report: warnings, points left out, and the measures of the
+/// given curve.
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given, SmoothingReport& report);
 
-/// Estimates how exact the strokes of each curve are (stroke_slack.hpp) and leaves out of them what
-/// lies within a part of that (stroke_cleaning.hpp). Way-points that lie beside each other become
-/// one. Pins, corners, way-points and legs stay; for
-/// the paper's method, everything does. What comes out does not depend on the direction in which a
-/// curve was drawn, or on where a loop begins. Slacks that are known are
-/// not estimated anew. The curves must pass check_drawn(). Throws
-/// Error(kBadCurve) for a curve without length, Cancelled. O(points), and an estimate per curve.
+/// Estimates the slack of the strokes of each curve (stroke_slack.hpp) and removes rests, hooks and
+/// redundant points of strokes (stroke_cleaning.hpp). Way-points within click_distance of each
+/// other are merged. Pins, corners, other way-points and legs stay; for the paper's method, all
+/// points stay. The result does not depend on the direction of a curve or on the first point of a
+/// loop. `known`: slacks that are not estimated again, one per curve, or empty. The curves must
+/// pass check_drawn(). Throws Error(kBadCurve) for a curve without length, Cancelled. O(points),
+/// and an estimate per curve.
 CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> given,
                                const CurveOptions& options, std::span<const StrokeSlack> known,
                                const Progress& progress);

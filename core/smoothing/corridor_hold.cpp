@@ -17,33 +17,33 @@
 namespace talweg {
 namespace {
 
-// A lift counts as none if it lengthens no edge by more than this part of the edge's length.
+// A lift has no effect if it lengthens no edge by more than this fraction of the edge's length.
 constexpr double kUnfelt = 1e-7;
 
-/// How far from the drawing the walls are that a fair curve keeps to, in slacks.
+/// The distance from the drawing to the walls of a fair curve, in slacks.
 double walls_of(double tau) { return 1.25 * (1 + 0.2 / tau); }
 
 constexpr double kLeastSlack = 1.0 / 8;  // edges
 constexpr double kRounding = 1e-9;       // edges
-constexpr double kDetour = 6;      // slacks: a part of the drawing that far away is no trembling
-constexpr double kMostGrowth = 8;  // of a curve's length, when it is faired
+constexpr double kDetour = 6;      // slacks: a part of the drawing farther away is not trembling
+constexpr double kMostGrowth = 8;  // factor in a curve's length during fairing
 constexpr int kHalvings = 8;
 
 }  // namespace
 
-/// How far out δ must be exact where the valley is narrow: the faces that the curve passes through
-/// lie within the slack plus one edge.
+/// The distance up to which δ must be exact if rough walls suffice: the faces of the curve lie
+/// within the slack plus one edge.
 double CorridorHold::exact_for_walls() const {
   const std::vector<double>& near = drawing_->drawing().edges_near();
   double exact = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) {
-    // While dragging, there are also valleys of curves that are only near the dragged one.
+    // While dragging, more valleys than curves exist: valleys of curves near the dragged curve.
     exact = std::max(exact, largest_slack((*valleys_)[c]) + near[std::min(c, near.size() - 1)]);
   }
   return exact;
 }
 
-/// While dragging, all valleys have the tau of the curve that is dragged.
+/// The potential of the valleys. While dragging, all valleys have the tau of the dragged curve.
 Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
   std::vector<double> taus;
   for (std::size_t c = 0; c < valleys_->size(); ++c) taus.push_back(options.tau_of(c));
@@ -85,7 +85,7 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
   const double exact = all ? HUGE_VAL : exact_for_walls();
   const std::size_t own = drawing_->surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
-    const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
+    const auto at = [&](VertexId v) {  // φ = 0 at inserted vertices: they lie on the drawing
       return v.index() < own ? corridor.at_vertex_roughly(v, exact, exactly)
                              : std::array<double, 2>{0, 0};
     };
@@ -101,8 +101,8 @@ Straightened CorridorHold::straighten_flat(const SmoothingOptions& options,
   return drawing_->straighten_flat(options, progress);
 }
 
-/// Whether the lift would have changed one of the lengths that the straightening used. The ways
-/// from the drawing along those edges bound their distance.
+/// Whether the lift would change an edge length that the straightening has used. The lengths of
+/// ways along edges from the drawing bound the distances of these edges.
 bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
                            const Progress& progress) const {
   const TouchedEdges edges =
@@ -115,8 +115,8 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   double most = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) most = std::max(most, options.tau_of(c));
   if (most == 0) return straighten_flat(options, progress);
-  // Straightening without the lift is worth trying only if the lift would not be felt a sixteenth
-  // of the drawing's radius beyond the slack.
+  // Straightening without the lift is tried only if the lift has no effect up to a sixteenth of the
+  // drawing's radius beyond the slack.
   const Corridor corridor = this->corridor(options);
   double beyond = HUGE_VAL, slack = 0;
   for (const Corridor::Valley& valley : *valleys_) {
@@ -125,18 +125,18 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
   }
   if (corridor.largest_lengthening(slack + beyond, beyond) > kUnfelt) return std::nullopt;
   SmoothingOptions lazy = options;
-  lazy.prepare_whole_mesh = false;  // only the lengths it touches decide
+  lazy.prepare_whole_mesh = false;  // only the touched lengths matter
   Straightened flat = straighten_flat(lazy, progress);
   if (is_felt(corridor, flat, progress)) return std::nullopt;
   return options.prepare_whole_mesh ? straighten_flat(options, progress) : std::move(flat);
 }
 
-/// Whether straightening has cut off an open curve as a whole, because its ends lie close together.
+/// Whether straightening has lost nearly all of an open curve, because its ends are close together.
 bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
                                 std::size_t curve) const {
-  constexpr double kLost = 0.25;  // of the drawing's length
+  constexpr double kLost = 0.25;  // fraction of the drawing's length
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
-  if (drawing_->erases_loops()) return false;  // what they leave is what was meant
+  if (drawing_->erases_loops()) return false;  // the short remainder is intended
   if (drawn.closed || drawing_->legs()[curve].any() || options.tau_of(curve) < kLeastHeldTau) {
     return false;
   }
@@ -157,7 +157,9 @@ void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightene
     const bool collapsed =
         drawing_->capped()[c].closed && path.termination == Termination::kCollapsed;
     if (!collapsed && !has_lost_all(options, straight, c)) continue;
-    straight.curves[c] = drawing_->drawing().curves()[c];  // capping can cut through it
+    straight.curves[c] =
+        drawing_->drawing()
+            .curves()[c];  // not the capped curve: capping can cut through a small loop
     path.length_after = path.length_before;
     path.termination = Termination::kConverged;
   }
@@ -180,7 +182,7 @@ std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) con
   return groups;
 }
 
-/// The trace of a curve from which fairing starts.
+/// The trace of a start curve for fairing.
 CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
                                 std::span<const SurfacePoint> fixed) const {
   CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
@@ -298,11 +300,12 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
   Asker asker(progress, "fair");
   const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
   ChainMaker maker(drawing_->surface());
-  // By how much nearer to the walls that are nearer: 0 is where the walls are, 1 is there.
+  // The chain at the interpolated parameter of the walls (`nearer` = 0), or moved towards the chain
+  // with the nearer walls (1).
   const auto at = [&](double nearer) {
     std::vector<double> parts, all;
     for (std::size_t k = 0; k < taus.size(); ++k) {
-      // The walls' distance is linear in 1 / tau.
+      // The distance of the walls is linear in 1 / tau.
       const double part = (1 / taus[k] - 1 / from.taus[k]) / (1 / to.taus[k] - 1 / from.taus[k]);
       const double near = to.taus[k] > from.taus[k] ? 1 : 0;
       parts.push_back(part + nearer * (near - part));
@@ -348,8 +351,8 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
   return result;
 }
 
-/// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
-/// the taut one is beyond walls that somebody asked for.
+/// The result in a band too narrow for fairing: the taut curve; but the drawing if it turns less,
+/// or if the taut curve is beyond the walls of a given slack.
 const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
                                                  const SurfaceCurve& taut, Asker& asker) {
   const AskedDuring asked(*distance_, asker);
@@ -368,7 +371,8 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   return fairing.farthest(taut) <= 1 ? taut : drawn;
 }
 
-/// A band much narrower than the mesh's edges has no room for more than straight lines.
+/// Whether the slack is less than an eighth of an edge: such a band has room for straight lines
+/// only.
 bool CorridorHold::is_narrow(std::size_t curve) const {
   return largest_slack((*valleys_)[curve]) < kLeastSlack * drawing_->drawing().edges_near()[curve];
 }

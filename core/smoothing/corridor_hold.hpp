@@ -1,4 +1,5 @@
-// The corridor holds curves: they are faired between its walls, or straightened in its potential.
+// The corridor keeps curves near their drawing: between its walls while fairing, by its potential
+// while straightening.
 #pragma once
 
 #include <functional>
@@ -20,16 +21,16 @@
 
 namespace talweg {
 
-/// Fair curves as samples, one for each group; none where samples could not be joined.
+/// Fair curves as chains of samples, one per group; empty if samples could not be joined.
 using FairChains = std::vector<std::optional<SampleChain>>;
 
-/// The straightened curves, which are computed when they are first asked for: most fair curves need
-/// none.
+/// Gives the straightened (taut) curves, computed on the first call: most fair curves do not need
+/// them.
 using TautCurves = std::function<const Straightened&()>;
 
-/// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
-/// the objects it is made from; the memory's distance is set to the curves of the valleys. All
-/// functions throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing.
+/// The steps of the corridor's method, each for one drawing, its valleys and one tau. Refers to the
+/// constructor's arguments; the memory's distance must be set to the curves of the valleys. All
+/// functions throw Cancelled. A function costs the Straightening or CurveFairing that it runs.
 class CorridorHold {
  public:
   CorridorHold(EmbeddedDrawing& drawing, SmoothingMemory& memory,
@@ -39,71 +40,74 @@ class CorridorHold {
   [[nodiscard]] const EmbeddedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return *valleys_; }
 
-  /// Whether the distance must be exact everywhere, or only where valleys are narrow: a wall
-  /// farther out that no curve climbs may be approximate.
+  /// Whether the distance must be exact everywhere, or only near the drawing: a wall that no curve
+  /// climbs may be approximate.
   enum class Walls { kExact, kRough };
-  /// With the walls of each valley. Legs are straightened without a lift.
+  /// Straightens the curves in the potential; `walls` has one entry per valley. Legs are
+  /// straightened without a lift.
   Straightened straighten(const SmoothingOptions& options, const std::vector<Walls>& walls,
                           const Progress& progress);
-  /// The curves straightened without a lift, which needs no distance; none if the lift would change
-  /// them.
+  /// The curves straightened without a lift, which needs no distance; empty if the lift would
+  /// change them.
   std::optional<Straightened> unlifted(const SmoothingOptions& options, const Progress& progress);
-  /// Resets open curves of which straightening has left less than a quarter, far from the drawing,
-  /// and loops that collapsed because no vertex lies inside them, to their drawing. FlipOut sees
-  /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
-  /// Fairing measures the distance everywhere, so it starts from the drawing instead. Only for
-  /// curves that are faired().
+  /// Resets a curve to its drawing if it is a collapsed loop, or an open curve that straightening
+  /// has shortened to less than a quarter, far from the drawing. FlipOut sees the potential at
+  /// vertices only, so a loop without a vertex inside collapses for any tau. Fairing evaluates the
+  /// distance everywhere, so it can start from the drawing. Applies to curves with is_faired()
+  /// only.
   void hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
-  /// Whether a curve is to be fair and is not straight anyway.
+  /// Whether a curve is faired: its finish is kFair and tau > 0.
   [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
     return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
   }
-  /// All curves, joined where two that are faired meet.
+  /// All curves in groups; two faired curves that meet are in one group.
   [[nodiscard]] std::vector<FairGroup> groups(const SmoothingOptions& options) const;
-  /// A fair chain that starts from the drawing; where walls are too far away to hold it, from the
-  /// straightened curves if that keeps within them. None where there are legs, to which no rung
-  /// leads.
+  /// A fair chain from the drawing; for tau < kLeastHeldTau first from the straightened curves, if
+  /// the result is between the walls. Empty if the group has legs.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
                                        const TautCurves& taut, const Progress& progress);
-  /// A fair chain that starts from that of another tau, and the ways of its samples; none where it
-  /// has become eight times as long as what was drawn.
+  /// A fair chain that starts from the chain of another tau; `trail` receives the ways of the
+  /// samples. Empty if the chain grows to about eight times the length of the drawing.
   std::optional<SampleChain> fair_from(const FairGroup& group, const Taus& taus,
                                        const SampleChain& chain, SampleTrail& trail,
                                        const Progress& progress);
-  /// Whether the curve of a chain is between its walls.
+  /// Whether the curve of a chain is between the walls.
   bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
               const Progress& progress);
-  /// The chain sampled anew if its samples are too uneven to lead on to another tau.
+  /// The chain with new samples, if the samples are too uneven for the continuation to another tau;
+  /// else empty.
   std::optional<SampleChain> evened(const FairGroup& group, const Taus& taus,
                                     const SampleChain& chain, const Progress& progress);
-  /// A chain for some tau that leads to one for another.
+  /// A chain, and the tau values of its curves.
   struct AtTaus {
     const Taus& taus;
     const SampleChain& chain;
   };
-  /// The chain of a group for a tau between those of two chains: its samples lie on the ways
-  /// between theirs, as far as the walls are between theirs, and farther towards the nearer walls
-  /// where the band would be left otherwise.
+  /// The chain of a group for a tau between those of two chains. Its samples lie on the ways
+  /// between the samples of both, at the same fraction as the walls; if this chain leaves the band,
+  /// its samples move towards the chain with the nearer walls.
   std::optional<SampleChain> between(const FairGroup& group, const AtTaus& from, const AtTaus& to,
                                      const SampleTrail& trail, const Taus& taus,
                                      const Progress& progress);
-  /// A fair curve near the first drawn one; these points of it and its ends stay. None where
-  /// samples cannot be joined.
+  /// A fair curve near the first drawn curve, starting from `curve`; its ends and the points
+  /// `fixed` stay. Empty if samples cannot be joined.
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
-  /// Calls use() with the fairing of a group, between walls at this part of their distance.
+  /// Calls use() with the fairing of a group, whose walls are at the fraction `narrower` of their
+  /// distance.
   void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
                     const LegTension& legs, Asker& asker,
                     const std::function<void(CurveFairing&)>& use);
-  /// The trace of a curve of a group from which fairing starts; that of its drawing knows it.
+  /// The trace of a start curve of a group; without `curve`, the trace of its drawing, marked as
+  /// drawn.
   [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
   [[nodiscard]] CurveTrace traced(const FairGroup& group) const;
   /// The largest distance of the walls of a group, mesh units.
   [[nodiscard]] double largest_wall(const FairGroup& group, const Taus& taus) const;
-  /// Whether the curve's band is too narrow to be faired in.
+  /// Whether a curve's band is too narrow for fairing.
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
-  /// What a curve becomes that is_narrow(): the taut curve or the drawing.
+  /// The result for a curve with is_narrow(): the taut curve or the drawing.
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
                                                    const SurfaceCurve& taut, Asker& asker);
 

@@ -13,7 +13,7 @@
 namespace talweg {
 namespace {
 
-/// Smooths without the ladder.
+/// Smooths without the ladder: the result depends on this tau only.
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
   std::optional<Straightened> flat;
@@ -21,14 +21,14 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   bool free = true;
   for (std::size_t c = 0; c < curves; ++c) free = free && options.tau_of(c) == 0;
   if (free || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
-  // A curve that is not held, or is not faired, may climb walls anywhere.
+  // A curve with tau < kLeastHeldTau, or that is not faired, may climb walls anywhere.
   const std::vector walls(hold.valleys().size(), CorridorHold::Walls::kExact);
   Straightened straight = flat ? *flat : hold.straighten(options, walls, progress);
   Stopwatch watch;
   relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds, hold.drawing().fixed()},
         progress);
   straight.time_ms.relax = watch.lap();
-  // What no wall holds is straight already.
+  // Curves without an effective lift are straight already.
   if (flat) return smoothed_from(std::move(straight));
   hold.hold_lost_curves(options, straight);
   const std::vector<FairGroup> groups = hold.groups(options);
@@ -56,7 +56,7 @@ void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corrido
 
 void CorridorMethod::solve(const Progress& progress) {
   const OrderedDrawing& drawing = drawing_->drawing();
-  if (drawing_->all_legs()) {  // no stroke to measure from
+  if (drawing_->all_legs()) {  // no stroke to measure distances from
     valleys_.assign(drawing.curves().size(), {});
     return;
   }

@@ -1,4 +1,4 @@
-// The corridor's method smooths curves by the exact distance near the drawing, in valleys.
+// The corridor's method smooths curves in valleys, by the exact distance to the drawing.
 #pragma once
 
 #include <optional>
@@ -15,33 +15,33 @@
 
 namespace talweg {
 
-/// Refers to the memory, whose distance it uses, and to the drawing. All functions throw Cancelled.
-/// A smoothing costs the fairings of FairLadder and FairFinishing, and a straightening where these
-/// ask for it.
+/// Refers to the memory, whose distance it sets and uses, and to the drawing. All functions throw
+/// Cancelled. A smoothing costs the fairings of FairLadder and FairFinishing, and a straightening
+/// if they need it.
 class CorridorMethod {
  public:
   CorridorMethod(SmoothingMemory& memory, EmbeddedDrawing& drawing)
       : memory_(&memory), drawing_(&drawing) {}
 
-  /// Measures from the drawing and finds its valleys.
+  /// Sets the distance to the drawing, and computes its valleys.
   void solve(const Progress& progress);
-  /// Measures from these curves, with their valleys, instead; used for a stretch of a drawing.
+  /// Sets the distance to the given curves, with the given valleys; used for a stretch of a
+  /// drawing.
   void set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
            const Progress& progress);
-  /// To be called after the drawing's pins have changed.
+  /// Must be called after the drawing's pins have changed.
   void pins_changed() { ladder_.clear(); }
 
-  /// Per curve, before options change them.
+  /// Per curve, before options change it.
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
 
   Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
-  /// Like smooth(), but in the valleys as they are, without the options' slack and turns.
+  /// Like smooth(), but in the valleys of set() or solve(), without the slack and turns of the
+  /// options.
   Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
-  /// The straightened curves from which fair ones for these options start, in the valleys as they
-  /// are.
+  /// The straightened curves for these options, in the valleys of set() or solve().
   std::vector<SurfaceCurve> taut(const SmoothingOptions& options, const Progress& progress);
-  /// A fair curve near the first drawn one, in its valley as it is; these points of it and its ends
-  /// stay. None where samples cannot be joined.
+  /// CorridorHold::fair() in the valleys of set() or solve().
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 

@@ -10,7 +10,8 @@
 namespace talweg {
 namespace {
 
-/// Where the slacks of two curves meet, nothing would keep the curves apart.
+/// Narrows the slack of curves to less than half of their gaps: nothing would keep curves apart
+/// whose slacks overlap.
 void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
                 const OrderedDrawing& drawing, const Progress& progress) {
   constexpr double kOfGap = 0.45;
@@ -23,7 +24,7 @@ void keep_apart(std::vector<Corridor::Valley>& valleys, const SurfaceMesh& mesh,
   }
 }
 
-/// What the hand is along a curve, narrowed as the valley was.
+/// The slack along a curve as estimated, scaled by the same factor as the valley's slack.
 std::vector<double> own_field(const Corridor::Valley& valley, const SurfaceMesh& mesh,
                               const OrderedDrawing& drawing, std::size_t curve) {
   const StrokeSlack& slack = drawing.slacks()[curve];
@@ -62,7 +63,7 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
     if (!valley.given) valley.slack_at = own_field(valley, mesh, drawing, c);
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     if (valley.given) valley.trembling = valley.slack;
-    // With fewer points per turn the phase could not follow the loop.
+    // The phase cannot follow a loop with fewer than eight points per turn.
     const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));
   }

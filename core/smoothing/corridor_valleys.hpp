@@ -1,4 +1,4 @@
-// Valleys hold each curve of a drawing in the corridor: how wide, how long, with which turns.
+// Valleys are the corridor's parameters for each curve of a drawing: slack, length and turns.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace talweg {
 
-/// The valleys that follow from the drawing: stroke_slack(), narrowed where needed to keep each
-/// curve apart from the others. Throws Cancelled (stage "solve"). O(n log n) for n points, and what
-/// gaps_to_others() costs.
+/// The valleys of a drawing: the slack of stroke_slack(), narrowed if needed to keep curves apart
+/// from each other. Throws Cancelled (stage "solve"). O(n log n) for n points, plus the cost of
+/// gaps_to_others().
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                          const Progress& progress);
 
-/// The valleys with the slack and the turns that the options ask for.
+/// The valleys with the slack and the turns of the options.
 std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys,
                                            const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                            const SmoothingOptions& options);

@@ -24,11 +24,11 @@ void sort_numbers(Numbers& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// Per curve the numbers of the points that other curves pass, too; ascending.
+/// Per curve, the points that other curves pass, too, by number, ascending.
 std::vector<Numbers> common_points(std::span<const SurfaceCurve> curves) {
   constexpr std::uint32_t kCommon = UINT32_MAX;
   PointLookup lookup;
-  std::vector<std::uint32_t> owner;  // by the number of the first equal point
+  std::vector<std::uint32_t> owner;  // the curve with the point, or kCommon; by point number
   std::vector<Numbers> passed(curves.size());
   for (std::uint32_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& point : curves[c].points) {
@@ -78,9 +78,9 @@ class GapSearch {
     tree_.emplace(boxes_.size(), [&](std::uint32_t i) { return boxes_[i]; });
   }
 
-  /// Around each curve as far as its gap, which is not known: twice as far each time.
+  /// Searches around each curve with a radius that doubles until it exceeds the gap.
   std::vector<double> gaps() {
-    constexpr double kFirst = 1.0 / 64;  // of the limit
+    constexpr double kFirst = 1.0 / 64;  // times the limit
     std::vector<bool> known(gaps_.size(), false);
     for (double radius = kFirst * limit_;; radius = std::min(2 * radius, limit_)) {
       for (std::uint32_t c = 0; c < gaps_.size(); ++c) {
@@ -95,7 +95,7 @@ class GapSearch {
 
  private:
   void look_around(std::uint32_t curve, double radius) {
-    std::vector<std::pair<double, std::uint32_t>> others;  // how far their boxes are apart
+    std::vector<std::pair<double, std::uint32_t>> others;  // with the distances between boxes
     const auto box_of = [&](std::uint32_t i) { return boxes_[i]; };
     tree_->visit(widened(boxes_[curve], radius), box_of, [&](std::uint32_t other) {
       asker_->did(1);
@@ -112,7 +112,7 @@ class GapSearch {
     return (p.low - q.high).cwiseMax(q.low - p.high).cwiseMax(0.0).norm();
   }
 
-  /// Once for a pair.
+  /// Measures the gap between two curves, once per pair.
   void measure(std::uint32_t a, std::uint32_t b) {
     if (!measured_.insert(std::uint64_t{std::min(a, b)} << 32U | std::max(a, b)).second) return;
     if (have_common(common_[a], common_[b])) return;
@@ -130,8 +130,9 @@ class GapSearch {
     auto operator<=>(const NearPoint&) const = default;
   };
 
-  /// From the points of a curve to another curve, if it is below `most`. The points that are
-  /// nearest in space come first, so the distance is needed only up to the smallest found so far.
+  /// The least distance from the points of a curve to another curve, if below `most`. The points
+  /// are visited by their distance in space, so the distance along the surface is needed only up to
+  /// the least found so far.
   double least_of(std::uint32_t from, std::uint32_t to, double most) {
     const std::vector<NearPoint> points = points_near(from, to, most);
     if (points.empty()) return HUGE_VAL;
@@ -147,7 +148,8 @@ class GapSearch {
     return least;
   }
 
-  /// The points of a curve that are nearer than `most` to another, the nearest first.
+  /// The points of a curve that are nearer in space than `most` to another curve, the nearest
+  /// first.
   [[nodiscard]] std::vector<NearPoint> points_near(std::uint32_t curve, std::uint32_t other,
                                                    double most) const {
     Numbers ends;
@@ -164,7 +166,8 @@ class GapSearch {
     return near;
   }
 
-  /// The segments of a curve to which a point of the other may be nearer than `most`, ascending.
+  /// The segments of a curve that may be nearer than `most` to a point of the other curve,
+  /// ascending.
   [[nodiscard]] Numbers segments_near(std::uint32_t curve, std::uint32_t other, double most) const {
     Numbers near = segments_beside(curve, other, most);
     std::erase_if(near, [&](std::uint32_t i) {
@@ -174,7 +177,8 @@ class GapSearch {
     return near;
   }
 
-  /// Those whose boxes are nearer to that of the other curve, ascending.
+  /// The segments of a curve whose boxes are nearer than `most` to the box of the other curve,
+  /// ascending.
   [[nodiscard]] Numbers segments_beside(std::uint32_t curve, std::uint32_t other,
                                         double most) const {
     Numbers beside;
@@ -196,7 +200,7 @@ class GapSearch {
   double limit_;
   Asker* asker_;
   std::vector<double> gaps_;
-  std::unordered_set<std::uint64_t> measured_;  // pairs
+  std::unordered_set<std::uint64_t> measured_;  // pairs of curves
   std::vector<SpaceBox> boxes_;                 // per curve
   std::deque<SegmentsInSpace> segments_;        // per curve; a deque does not move them
   std::optional<BoxTree> tree_;                 // of the curves' boxes

@@ -1,4 +1,4 @@
-// Curve gaps tell how far apart the curves of a set are.
+// Curve gaps are the distances between the curves of a set.
 #pragma once
 
 #include <span>
@@ -10,12 +10,11 @@
 
 namespace talweg {
 
-/// Per curve the length of the shortest way along the surface to another curve, mesh units;
-/// infinite where that is `limit` or more. Curves that touch (at nodes of a network) do not count
-/// for each other. O(n log n) for n points in all, and what is measured: for each curve those whose
-/// boxes may be within twice its gap, their segments beside its box times log n, and the band
-/// between them on the surface; as far as `limit` where a curve has no gap. Throws Cancelled when
-/// `progress` (stage "solve") says so.
+/// Per curve, the length of the shortest way along the surface to another curve, mesh units;
+/// infinite for `limit` or more. Curves that touch, as at nodes of a network, have no gap between
+/// each other. O(n log n) for n points, plus for each curve the distances to curves whose boxes are
+/// within twice its gap (at most `limit`), which visit the surface between the curves. Throws
+/// Cancelled (stage "solve").
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit, const Progress& progress = {});
 

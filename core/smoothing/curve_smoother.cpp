@@ -28,7 +28,7 @@ namespace {
   throw Error(ErrorCode::kBadUsage, message);
 }
 
-/// Throws Error(kBadUsage) unless every component of every vertex has a value of at most 1e150.
+/// Throws Error(kBadUsage) unless every vertex has all components, each a number of at most 1e150.
 void check_potential(std::size_t vertices, const GivenPotential& given) {
   const std::size_t expected = vertices * given.components;
   if (given.components == 0 || given.values.size() != expected) {
@@ -56,7 +56,7 @@ bool are_points_of(std::span<const SurfaceCurve> curves, std::span<const Surface
                      [&](const SurfacePoint& point) { return passed.contains(point); });
 }
 
-/// Whether only tau has changed for a curve, by a step as small as a slider makes.
+/// Whether only tau has changed for a curve, by at most 5 %, a small step of a slider.
 bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options,
                    std::size_t curve) {
   constexpr double kSmallStep = 1.05;
@@ -69,7 +69,8 @@ bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options
          last.relax_rounds == options.relax_rounds;
 }
 
-/// The options' own budget begins with the call; without one, that of the caller goes on.
+/// Progress with the budget of the options, which begins with this call; without one, the caller's
+/// progress.
 Progress within_budget(const Progress& caller, const SmoothingOptions& options) {
   return options.budget.any() ? caller.with(options.budget) : caller;
 }
@@ -79,7 +80,7 @@ Progress within_budget(const Progress& caller, const SmoothingOptions& options) 
 struct CurveSmoother::Last {
   SmoothingOptions options;
   SmoothingResult result;
-  bool whole = true;  ///< false: a budget ended it early
+  bool whole = true;  ///< false if a budget ended the smoothing early
 };
 
 CurveSmoother::CurveSmoother(std::shared_ptr<const OpenedMesh> mesh)
@@ -126,7 +127,7 @@ bool CurveSmoother::set_curves(std::span<const SurfaceCurve> curves, std::vector
 
 bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
                         std::optional<std::vector<double>> distance, const Progress& progress) {
-  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // may be our own drawing
+  const std::vector<SurfaceCurve> own(curves.begin(), curves.end());  // `curves` may be drawn()
   forget();
   if (distance) PaperLift::check(memory_->surface(), *distance);
   try {
@@ -157,8 +158,8 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
   if (!sheet_) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(given_, pins);
-  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // may be our own pins
-  if (!are_points_of(drawing_->drawn(), own)) {  // some were left out, and must not be
+  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // `pins` may be pins()
+  if (!are_points_of(drawing_->drawn(), own)) {  // cleaning removed a point that is now a pin
     CurveOptions options = curve_options_;
     options.pins = own;
     return set(given_, options, std::nullopt, progress);
@@ -220,7 +221,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
   return smooth(options, &given, progress);
 }
 
-/// Fields along the curves that were given, along what is left of these.
+/// Options with slack_at converted from the given curves to the cleaned curves.
 SmoothingOptions CurveSmoother::on_cleaned(SmoothingOptions options) const {
   for (std::size_t c = 0; c < options.slack_at.size() && c < given_.size(); ++c) {
     std::vector<double>& values = options.slack_at[c];
@@ -230,7 +231,7 @@ SmoothingOptions CurveSmoother::on_cleaned(SmoothingOptions options) const {
   return options;
 }
 
-/// A curve that was changed, cleaned like the one that is set.
+/// A moved curve, cleaned with the slack of the curve that is set.
 SurfaceCurve CurveSmoother::cleaned_as(std::size_t curve, const SurfaceCurve& moved,
                                        const Progress& progress) const {
   const std::span known(&cleaned_->curves[curve].slack, 1);
@@ -260,7 +261,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
   }
 }
 
-/// Takes options and gives results in the drawing's order.
+/// Smooths with options and results in canonical order.
 SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const GivenPotential* given,
                                               const Progress& progress) {
@@ -286,7 +287,8 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
   return result;
 }
 
-/// A slider moves tau in small steps, so the result should move in small steps too.
+/// Reports how far each curve moved in a small step of tau, because results should then move
+/// little, too.
 void CurveSmoother::report_moves(const SmoothingOptions& options, SmoothingResult& result,
                                  const Progress& progress) const {
   if (!last_ || !last_->whole || options.deviation == DeviationMeasure::kNone) return;
@@ -309,7 +311,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
   const Progress progress = within_budget(caller, options);
   if (curve_options_.method != Method::kCorridor) bad_usage("drag() needs the corridor.");
   if (curve >= drawing_->drawn().size()) bad_usage("drag() is asked for a curve that is not set.");
-  const Drawing own = moved;  // NOLINT: may be our own drawing, which changes
+  const Drawing own = moved;  // NOLINT: `moved` may refer to drawn(), which changes
   check_drawn(memory_->surface(), own.curve);
   try {
     const Asker asked(progress, "straighten");
@@ -325,7 +327,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
   }
 }
 
-/// The last result, recomputed if these options ask for another one.
+/// The last result, recomputed if it was for other options.
 SmoothingResult CurveSmoother::last_for(const SmoothingOptions& options, const Progress& progress) {
   SmoothingOptions plain = drawing_->ordered(options);
   if (!last_ || !last_->whole || !same_result(last_->options, plain)) {
@@ -357,7 +359,7 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   return result;
 }
 
-/// The options of curves of which one has moved, with its new way-points.
+/// The curve options after one of the curves has moved, with its new way-points.
 CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curves,
                                              std::size_t moved,
                                              std::span<const WayPoint> way_points) const {
@@ -372,7 +374,7 @@ CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curve
   std::erase_if(own.pins, is_gone);
   std::erase_if(own.corners, is_gone);
   std::erase_if(own.painted, is_gone);
-  // A click that has moved on may still lie on the path, which does not make it one.
+  // An old place of a moved click may still lie on the path, but is no way-point.
   const auto is_left = [&](const SurfacePoint& point) {
     return !way_points.empty() && !others.contains(point);
   };
@@ -383,8 +385,8 @@ CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curve
   return own;
 }
 
-/// Smooths everything anew, where a stretch is not enough: legs, strips that meet, or faces that
-/// are divided.
+/// Smooths all curves again, if a stretch cannot be smoothed alone: with legs, unrolled strips or
+/// divided faces.
 SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& moved,
                                           const SmoothingOptions& options,
                                           const Progress& progress) {
@@ -392,7 +394,7 @@ SmoothingResult CurveSmoother::drag_whole(std::size_t curve, const Drawing& move
   curves[curve] = moved.curve;
   const CurveOptions own = options_of_moved(curves, curve, moved.way_points);
   SmoothingOptions plain = options;
-  plain.slack_at.clear();  // it belongs to the drawing that is set
+  plain.slack_at.clear();  // its values belong to the drawing that is set
   if (!previewer_) previewer_ = std::make_unique<CurveSmoother>(memory_->shared());
   if (!previewer_->set_curves(curves, own, progress)) throw Cancelled();
   SmoothingResult result = previewer_->drawing_->as_drawn(previewer_->smooth_ordered(

@@ -1,4 +1,4 @@
-// A smoother takes drawn curves on an opened mesh and smooths them for one tau after another.
+// A curve smoother smooths drawn curves on an opened mesh, for one tau after another.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ class Sheet;
 class SmoothingMemory;
 struct GivenPotential;
 
-/// Smooths curves on one opened mesh. Holds the working memory, which is allocated once. One thread
-/// at a time may use a smoother; any number of smoothers may share an opened mesh.
+/// Smooths curves on one opened mesh. A smoother holds the working memory, which is allocated once.
+/// One thread at a time may use a smoother; any number of smoothers may share an opened mesh.
 ///
 ///   CurveSmoother smoother(OpenedMesh::open(lists));
 ///   smoother.set_curve(curve);  // or: set_curve(draw(surface, clicks))
@@ -35,78 +35,76 @@ class CurveSmoother {
   explicit CurveSmoother(std::shared_ptr<const OpenedMesh> mesh);
   ~CurveSmoother();
 
-  /// Sets the drawing: checks and embeds it and makes the distance to it ready. False when
-  /// cancelled; no curve is set then. Throws Error(kBadCurve) for a curve that check_drawn() or
-  /// embed_curves() refuse (no curve is set then), Error(kBadUsage) for bad options or a pin that
-  /// is not on it.
+  /// Sets the drawing: checks and embeds the curve, and prepares the distance to it. False when
+  /// cancelled. Throws Error(kBadCurve) for a curve that check_drawn() or embed_curves() reject,
+  /// Error(kBadUsage) for bad options or a pin that is not a point of the curve. If cancelled or
+  /// after an error, no curve is set.
   bool set_curve(const SurfaceCurve& curve, const CurveOptions& options = {},
                  const Progress& progress = {});
-  /// Sets what draw() has drawn; its way-points are added to those of the options.
+  /// Sets a result of draw(); its way-points are added to the options.
   bool set_curve(const Drawing& drawing, const CurveOptions& options = {},
                  const Progress& progress = {});
-  /// Sets several curves: the distance is to their union, and straightening makes none cross
-  /// another. If curves are drawn across themselves or each other, each is smoothed separately, on
-  /// a strip of surface of its own (unroll()), and the distance is to the curve's own part there.
+  /// Sets several curves: the distance is to their union, and straightening adds no crossings.
+  /// Curves that are drawn across themselves or each other are smoothed separately, each on its own
+  /// strip of surface (unroll()), with the distance to the curve's own part on the strip.
   bool set_curves(std::span<const SurfaceCurve> curves, const CurveOptions& options = {},
                   const Progress& progress = {});
-  /// Like set_curves() above, with a distance given by the caller, one value per mesh vertex, used
-  /// as it is. It may be negative, and +infinity in components without a curve. The method is
-  /// always Method::kPaper.
+  /// set_curves() with a given distance, one value per mesh vertex, used unchanged. Values may be
+  /// negative, and +infinity in components without a curve. The method is always Method::kPaper.
   bool set_curves(std::span<const SurfaceCurve> curves, std::vector<double> distance,
                   const CurveOptions& options = {}, const Progress& progress = {});
 
-  /// Computes the paper's distance if it has not been computed yet. False when cancelled. Throws
-  /// Error(kBadUsage) when no curve is set.
+  /// Computes the paper's distance if it is not known. False when cancelled. Throws
+  /// Error(kBadUsage) if no curve is set.
   bool need_distance(const Progress& progress = {});
 
-  /// Changes the pins of the curves that are set; the distance stays as it is. Only for the
-  /// corridor. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
+  /// Changes the pins of the curves that are set, for the corridor only; the distance is kept if
+  /// possible. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
   /// that is not a point of the drawing, or for another method.
   bool set_pins(std::span<const SurfacePoint> pins, const Progress& progress = {});
 
-  /// The smoothed curves. The cost depends on what the curves touch, not on the size of the mesh.
-  /// Where nothing is lifted (tau is 0, or so small that it lengthens no edge by 1e-7 of its
-  /// length), no distance is computed either. When cancelled, the curves are those drawn,
-  /// `termination` says so, and the smoother is in the state it had before the call. Throws
-  /// Error(kBadUsage) when no curve is set or an option is out of range.
+  /// Smooths the curves. The cost depends on the faces near the curves, not on the size of the
+  /// mesh. Without an effective lift (tau is 0, or lengthens no edge by 1e-7 of its length), no
+  /// distance is computed. When cancelled, the result has the drawn curves and the termination
+  /// kCancelled, and the smoother is unchanged. Throws Error(kBadUsage) if no curve is set or an
+  /// option is out of range.
   SmoothingResult smooth(double tau = 1);
   SmoothingResult smooth(const SmoothingOptions& options, const Progress& progress = {});
-  /// Smooths with a potential given by the caller: row by row k values per mesh vertex (n x k, mesh
-  /// units). Throws Error(kBadUsage) when the size is not n x k or a value at the curve is not
-  /// finite.
+  /// Smooths with a given potential: row by row k = `components` values per mesh vertex (n x k,
+  /// mesh units). Throws Error(kBadUsage) if the size is not n x k or a value is not a number of at
+  /// most 1e150.
   SmoothingResult smooth(const SmoothingOptions& options, std::span<const double> potential,
                          std::size_t components, const Progress& progress = {});
 
-  /// A preview while a part of a drawing is being dragged: approximately the result that the
-  /// drawing would have if curve number `curve` were changed to `moved`, in time proportional to
-  /// the changed part. Only the stretch that differs from the drawing that is set is smoothed anew
-  /// and joined to the last result. Slack and L stay those of the drawing that is set, and the
-  /// curve is not kept from crossing others. `engine` of its report is "preview". The drawing that
-  /// is set does not change: set_curve(moved) gives the final result. The same arguments give the
-  /// same curve, whatever was dragged before. Only for the corridor; where tau is 0 or the result
-  /// is relaxed, everything is smoothed anew. Throws Error(kBadCurve) as set_curve() does,
-  /// Error(kBadUsage) for a curve that does not exist or another method. When cancelled, the result
-  /// is as for smooth(), with `moved` as that curve.
+  /// A preview while a part of a drawing is dragged: approximately the result after changing curve
+  /// number `curve` to `moved`, in time proportional to the changed part. Only the stretch that
+  /// differs from the drawing that is set is smoothed again and joined to the last result. Slack
+  /// and L stay those of the drawing that is set, and the preview may cross other curves. Its
+  /// report has the engine "preview". The drawing that is set does not change: set_curve(moved)
+  /// gives the final result. The result depends on the arguments only, not on earlier calls of
+  /// drag(). Only for the corridor; if tau is 0 or the result is relaxed, the whole curve is
+  /// smoothed again. Throws Error(kBadCurve) as set_curve() does, Error(kBadUsage) for a curve that
+  /// does not exist or another method. When cancelled, the result is as for smooth(), with `moved`
+  /// as curve number `curve`.
   SmoothingResult drag(std::size_t curve, const SurfaceCurve& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
-  /// The same where clicks are moved: the way-points of this curve are those of `moved`. The curve
-  /// is faired as a whole, and legs that are drawn anew are straightened, so that the preview is
-  /// the final result.
+  /// drag() for moved clicks: the way-points of the curve are those of `moved`. The whole curve is
+  /// straightened and faired, so the preview equals the final result.
   SmoothingResult drag(std::size_t curve, const Drawing& moved,
                        const SmoothingOptions& options = {}, const Progress& progress = {});
 
   [[nodiscard]] const OpenedMesh& opened() const;
-  /// The distance per mesh vertex that was given or has been computed so far: see need_distance().
+  /// The paper's distance per mesh vertex, given or computed (need_distance()); empty if not known.
   [[nodiscard]] std::span<const double> distance() const;
-  /// The curves as they were set, before anything was left out of them.
+  /// The curves as set, before cleaning.
   [[nodiscard]] std::span<const SurfaceCurve> drawn() const;
-  /// The points of the drawing that every result passes through.
+  /// The pins of the drawing, which every result passes through.
   [[nodiscard]] std::span<const SurfacePoint> pins() const { return curve_options_.pins; }
-  /// As they were set, with the pins of now.
+  /// The curve options as set, with the current pins.
   [[nodiscard]] const CurveOptions& curve_options() const { return curve_options_; }
-  /// The corridor's slack for each curve where the options give none, mesh units:
-  /// stroke_slack(), less for loops that would collapse at tau = 1/4. Empty for the paper's method.
+  /// The corridor's default slack per curve, mesh units: stroke_slack(), narrowed to keep curves
+  /// apart (valleys_of()). Empty for the paper's method.
   [[nodiscard]] std::vector<double> slack() const;
 
  private:
@@ -135,17 +133,17 @@ class CurveSmoother {
   struct Last;
   std::unique_ptr<SmoothingMemory> memory_;
   std::vector<SurfaceCurve> given_;
-  std::unique_ptr<CleanedDrawing> cleaned_;  // of those that were given
-  std::unique_ptr<OrderedDrawing> drawing_;  // of what is left of them
+  std::unique_ptr<CleanedDrawing> cleaned_;  // of given_
+  std::unique_ptr<OrderedDrawing> drawing_;  // of cleaned_
   CurveOptions curve_options_;
-  double roughness_ = 0;                      // roughness_along() the drawing
-  std::unique_ptr<Sheet> sheet_;              // null where no curve is set
-  std::unique_ptr<Last> last_;                // the last result of smooth(), on the ordered curves
-  std::unique_ptr<Dragging> dragging_;        // made when first needed, as is previewer_
-  std::unique_ptr<CurveSmoother> previewer_;  // for drag() where a stretch is not enough
+  double roughness_ = 0;                      // roughness_along() of the drawing
+  std::unique_ptr<Sheet> sheet_;              // null if no curve is set
+  std::unique_ptr<Last> last_;                // the last result of smooth(), in canonical order
+  std::unique_ptr<Dragging> dragging_;        // made on first use
+  std::unique_ptr<CurveSmoother> previewer_;  // for drag_whole(); made on first use
 };
 
-/// Smooths one curve in one call, with a CurveSmoother for it alone.
+/// Smooths one curve in one call, with a CurveSmoother that is made for it.
 SmoothingResult smooth_curve(std::shared_ptr<const OpenedMesh> mesh, const SurfaceCurve& curve,
                              const SmoothingOptions& options = {},
                              const CurveOptions& curve_options = {}, const Progress& progress = {});

@@ -11,7 +11,8 @@ namespace {
 
 using StretchBox = Eigen::AlignedBox3d;
 
-/// The runs of one curve inside the box; each run also has the points just outside the box.
+/// Finds the runs of consecutive points of one curve inside the box. A run also has the points just
+/// outside the box.
 class Runs {
  public:
   Runs(const SurfaceMesh& mesh, const SurfaceCurve& curve, const Corridor::Valley& valley,

@@ -1,4 +1,5 @@
-// A drag stretch is the part of a changed drawing that is smoothed anew, with what holds it.
+// A drag stretch is the part of a changed drawing that is smoothed again, with the curves and
+// valleys near it.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +14,14 @@ namespace talweg {
 
 struct DragStretch {
   SurfaceCurve curve;
-  std::vector<SurfaceCurve> near;         ///< what the distance is measured from
-  std::vector<Corridor::Valley> valleys;  ///< one for each of these
+  std::vector<SurfaceCurve> near;         ///< the curves that the distance is set to
+  std::vector<Corridor::Valley> valleys;  ///< one per curve of `near`
 };
 
-/// The points [first, last) of curve `number`, and those runs of all curves, its own first, that
-/// come within `reach` (mesh units) of their bounding box. A curve that lies entirely in the box is
-/// a single run, and stays closed if it is. `valleys` are those of the whole curves; a slack_at has
-/// one value per point. O(points).
+/// The points [first, last) of curve `number`, and the runs of all curves within `reach` (mesh
+/// units) of the bounding box of these points; runs of curve `number` come first. A curve entirely
+/// in the box is one run, and stays closed. `valleys` are the valleys of the whole curves; slack_at
+/// has one value per point. O(points).
 DragStretch stretch_of(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const std::vector<Corridor::Valley>& valleys, std::size_t number,
                        std::size_t first, std::size_t last, double reach);

@@ -11,30 +11,31 @@
 namespace talweg {
 namespace {
 
-constexpr double kMargin = 24;  // segments of the drawing, on either side, at first
-constexpr double kReach = 6;    // slacks, plus as many edges: what lies farther does not matter
-constexpr std::size_t kSettling = 16;  // points of the last result, on either side, that may move
-constexpr double kSameWay = 0.5;       // edges that two curves may lie apart where they are joined
+constexpr double kMargin = 24;  // in segments of the drawing, on either side, doubled on failure
+constexpr double kReach = 6;    // times slack + edge: curves farther away have no effect
+constexpr std::size_t kSettling =
+    16;  // points of the last result, on either side, that are faired again
+constexpr double kSameWay = 0.5;  // times the edge: largest gap of two curves at a joint
 
 using Points = std::vector<SurfacePoint>;
 
-/// Indices of the point where a stretch and the last result are joined.
+/// The point indices where a stretch and the last result are joined.
 struct Joint {
   std::size_t in_stretch = 0, in_last = 0;
 };
 
-/// The joint for a stretch's points [first, last): the pair of points on the same edge or vertex
-/// that lie nearest to each other; none where the last result passes none of these elements.
+/// The joint among the stretch's points [first, last): the nearest pair of points on the same edge
+/// or vertex; empty if the last result passes none of these elements.
 std::optional<Joint> joint(const Surface& surface, const Points& stretch, std::size_t first,
                            std::size_t last, const Points& result) {
-  std::vector<std::pair<SurfaceElement, std::size_t>> elements;  // and the point of the stretch
+  std::vector<std::pair<SurfaceElement, std::size_t>> elements;  // with the stretch's point
   for (std::size_t i = first; i < last; ++i) elements.emplace_back(element_of(stretch[i]), i);
   std::sort(elements.begin(), elements.end());
   std::optional<Joint> best;
   double least = HUGE_VAL;
   for (std::size_t j = 0; j < result.size(); ++j) {
     const SurfaceElement element = element_of(result[j]);
-    if (element.kind == SurfaceElement::Kind::kFace) continue;  // curves meet on edges
+    if (element.kind == SurfaceElement::Kind::kFace) continue;  // joints lie on edges and vertices
     auto at =
         std::lower_bound(elements.begin(), elements.end(), std::pair(element, std::size_t{0}));
     for (; at != elements.end() && at->first == element; ++at) {
@@ -51,8 +52,8 @@ std::optional<Joint> joint(const Surface& surface, const Points& stretch, std::s
   return best;
 }
 
-/// The number of points, at most `most`, from `from` on in steps of `step`, that lie within
-/// `length` along the curve.
+/// The number of points, at most `most`, that follow `from` in direction `step` within `length`
+/// (mesh units) along the curve.
 std::size_t points_within(const SurfaceMesh& mesh, const Points& points, std::size_t from, int step,
                           std::size_t most, double length) {
   std::size_t count = 0;
@@ -66,12 +67,11 @@ std::size_t points_within(const SurfaceMesh& mesh, const Points& points, std::si
   return count;
 }
 
-/// The values for the changed curve: those of the points that are kept, linear for those in
-/// between.
+/// The values at the points of the changed curve: unchanged at kept points, linear between.
 std::vector<double> carried_over(const std::vector<double>& drawn, const SurfaceCurve& before,
                                  const DrawingChange& change) {
   std::vector<double> own = drawn;
-  if (change.before.closed) {  // it may begin elsewhere
+  if (change.before.closed) {  // the change may have rotated the loop
     const auto start =
         std::find(before.points.begin(), before.points.end(), change.before.points.front());
     std::rotate(own.begin(), own.begin() + (start - before.points.begin()), own.end());
@@ -90,8 +90,9 @@ std::vector<double> carried_over(const std::vector<double>& drawn, const Surface
   return result;
 }
 
-/// The valleys of the changed drawing, in the order as drawn. Slack and L are those of the drawing
-/// that is set; that of a hand that changes along it is one, while it is being dragged.
+/// The valleys of the changed drawing, in drawn order. Slack and L are those of the drawing that is
+/// set; an estimated slack that varies along a curve is replaced by its constant value while
+/// dragging.
 std::vector<Corridor::Valley> dragged_valleys(const SurfaceMesh& mesh,
                                               const Dragging::Setting& setting, std::size_t curve,
                                               const DrawingChange& change) {
@@ -127,7 +128,7 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   stretch_.method.emplace(memory_, *stretch_.embedded);
   std::vector<SurfaceCurve> near = stretch.near;
   std::vector<Corridor::Valley> valleys = stretch.valleys;
-  // The whole curve is measured from as the method knows it.
+  // A stretch that is the whole curve must be in the order of the checked drawing.
   if (near.front().points == stretch.curve.points) {
     near.front() = stretch_.drawing.curves().front();
     std::vector<double>& slack_at = valleys.front().slack_at;
@@ -140,13 +141,14 @@ void Dragging::set(const DragStretch& stretch, const CurveOptions& options,
   stretch_.method->set(near, std::move(valleys), progress);
 }
 
-/// The points of the changed drawing that are smoothed anew, [first, last].
+/// The points of the changed drawing that are smoothed again, [first, last].
 struct Dragging::Range {
   std::size_t first = 0, last = 0;
-  double before = 0, after = 0;  // how far the range extends beyond the change, mesh units
+  double before = 0, after = 0;  // length of the range beyond the change, mesh units
 };
 
-/// The range with this margin on either side of the change; none if it would be the whole curve.
+/// The range with `margin` (mesh units) on either side of the change; empty if it would be the
+/// whole curve.
 std::optional<Dragging::Range> Dragging::range_around(const DrawingChange& change,
                                                       double margin) const {
   const SurfaceMesh& mesh = memory_.mesh();
@@ -161,8 +163,8 @@ std::optional<Dragging::Range> Dragging::range_around(const DrawingChange& chang
   return range;
 }
 
-/// Smooths the range of the drawing and puts it between what stays of the last result; none where
-/// the two do not meet.
+/// Smooths the range of the drawing and joins it to the unchanged parts of the last result; empty
+/// if there is no joint.
 std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingChange& change,
                                              double margin, const SurfaceCurve& last,
                                              const SmoothingOptions& options,
@@ -187,7 +189,7 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
 
   Points kept = last.points;
   const std::size_t n = kept.size();
-  if (last.closed) {  // let it begin just before the joint
+  if (last.closed) {  // rotated to begin just before the joint
     const std::size_t start = (head->in_last + n - kSettling) % n;
     std::rotate(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(start), kept.end());
     head->in_last = kSettling;
@@ -205,7 +207,7 @@ std::optional<SurfaceCurve> Dragging::joined(const Range& range, const DrawingCh
   between.points.insert(between.points.end(), at(stretch, head->in_stretch),
                         at(stretch, tail->in_stretch + 1));
   between.points.insert(between.points.end(), at(kept, tail->in_last + 1), at(kept, to + 1));
-  // The direction in which it leaves what is kept stays too.
+  // The second and the last but one point are fixed, which keeps the directions at the joints.
   std::vector<SurfacePoint> fixed = stretch_.embedded->fixed();
   if (from < head->in_last) fixed.push_back(between.points[1]);
   if (tail->in_last < to) fixed.push_back(between.points[between.points.size() - 2]);

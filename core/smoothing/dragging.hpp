@@ -1,4 +1,4 @@
-// Dragging smooths a drawing anew only along the stretch that a hand moves.
+// Dragging smooths only the stretch of a drawing that the user moves.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace talweg {
 
-/// Has working memory of its own for the stretches.
+/// Holds separate working memory for the stretches.
 class Dragging {
  public:
   /// O(mesh).
@@ -28,18 +28,18 @@ class Dragging {
   struct Setting {
     const OrderedDrawing& drawing;
     const CurveOptions& curve_options;
-    const std::vector<Corridor::Valley>& valleys;  ///< of the drawing's curves, in their order
+    const std::vector<Corridor::Valley>& valleys;  ///< of the drawing's curves, in canonical order
     const SmoothingOptions& options;
   };
-  /// Approximates the result that curve number `curve`, as drawn, has after the change: this is
-  /// `last`, its result before the change, with the changed stretch smoothed anew. If no stretch
-  /// can be joined to `last`, the whole curve is smoothed anew. Throws Cancelled.
+  /// Approximates the result of curve number `curve` (in drawn order) after the change: `last`, its
+  /// result before the change, with the changed stretch smoothed again. If no stretch can be joined
+  /// to `last`, the whole curve is smoothed again. Throws Cancelled.
   SurfaceCurve dragged(const Setting& setting, std::size_t curve, const DrawingChange& change,
                        const SurfaceCurve& last, const Progress& progress);
 
  private:
   struct Range;
-  /// A stretch, ready to be smoothed.
+  /// A stretch, embedded for smoothing.
   struct Stretch {
     OrderedDrawing drawing;
     std::optional<EmbeddedDrawing> embedded;

@@ -8,7 +8,7 @@ namespace {
 
 using Points = std::vector<SurfacePoint>;
 
-/// Counts the points that agree at the front and, among the remaining ones, at the back.
+/// Counts the equal points at the front and, among the remaining points, at the back.
 void count_kept(DrawingChange& change) {
   const Points &a = change.before.points, &b = change.after.points;
   const auto front = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
@@ -25,7 +25,7 @@ void turn(Points& points, std::size_t start) {
 
 std::size_t kept(const DrawingChange& change) { return change.kept_before + change.kept_after; }
 
-/// Rotates both loops to begin with the same point, chosen so that the most points are kept.
+/// Rotates both loops to begin with a common point, chosen from four so that most points are kept.
 DrawingChange change_of_loop(const SurfaceCurve& before, const SurfaceCurve& after) {
   DrawingChange best{before, after};
   const std::size_t n = before.points.size();
@@ -38,12 +38,12 @@ DrawingChange change_of_loop(const SurfaceCurve& before, const SurfaceCurve& aft
     turn(change.after.points, static_cast<std::size_t>(found - after.points.begin()));
     count_kept(change);
     if (kept(change) > kept(best)) best = std::move(change);
-    if (2 * kept(best) > n) break;  // no other stretch is longer
+    if (2 * kept(best) > n) break;  // no other common stretch can be longer
   }
   return best;
 }
 
-/// Moves the seam into the middle of the points that are kept.
+/// Moves the seam into the middle of the kept points.
 void balance(DrawingChange& change) {
   const std::size_t all = kept(change), front = all / 2;
   for (Points* points : {&change.before.points, &change.after.points}) {

@@ -1,4 +1,4 @@
-// A drawing change tells which points of a curve stay when a part of it is redrawn.
+// A drawing change records the points of a curve that stay when a part of it is redrawn.
 #pragma once
 
 #include <cstddef>
@@ -7,29 +7,29 @@
 
 namespace talweg {
 
-/// Two drawings of one curve: the first `kept_before` points are the same in both, and so are the
-/// last `kept_after`; the points in between have changed. Closed curves are rotated so that half of
-/// the common points lie before the change and half after it.
+/// Two drawings of one curve. The first `kept_before` points are equal in both, and the last
+/// `kept_after`; the points between have changed. Closed curves are rotated so that half of the
+/// common points lie before the change and half after it.
 struct DrawingChange {
   SurfaceCurve before;
   SurfaceCurve after;
   std::size_t kept_before = 0;
   std::size_t kept_after = 0;
 
-  /// Whether the two drawings are the same.
+  /// Whether the two drawings are equal.
   [[nodiscard]] bool is_none() const {
     return kept_before + kept_after == before.points.size() &&
            kept_before + kept_after == after.points.size();
   }
-  /// The number of points of `after` that are new.
+  /// The number of new points of `after`.
   [[nodiscard]] std::size_t new_points() const {
     return after.points.size() - kept_before - kept_after;
   }
 };
 
-/// Finds the longest common stretch, which may cross the seam of a closed curve. It is found if it
-/// contains one of four points spread over `before`. A curve that was closed or opened counts as
-/// changed everywhere. O(points).
+/// Finds the longest common stretch, which may cross the seam of a closed curve. The stretch is
+/// found if it contains one of four points spread over `before`. A curve that was closed or opened
+/// counts as changed everywhere. O(points).
 DrawingChange change_between(const SurfaceCurve& before, const SurfaceCurve& after);
 
 }  // namespace talweg

@@ -12,10 +12,10 @@
 namespace talweg {
 namespace {
 
-// Of measuring, where the caller leaves it to us: about as long as smoothing takes.
+// The work of measuring under kAutomatic without a budget: about as long as smoothing takes.
 constexpr std::uint64_t kMostWork = 500'000, kMostWorkOfPoint = 700;
 
-/// Of several strokes: the largest of their deviations, and their means weighted by length.
+/// Combines the deviations of several strokes: maxima, and means weighted by length.
 class StrokesDeviation {
  public:
   void add(const MeasuredDeviation& one, double drawn_length, double length) {
@@ -60,7 +60,7 @@ MeasuredDeviation deviation_of(SmoothingMemory& memory, const SurfaceCurve& draw
   const bool mixed = measure != DeviationMeasure::kNone && legs.any() && !legs.all();
   const std::vector<SurfaceCurve> from = mixed ? strokes_of(legs, drawn) : std::vector{drawn};
   const std::vector<SurfaceCurve> to = mixed ? strokes_of(legs, result) : std::vector{result};
-  // A result that misses a point between legs and strokes has no parts to tell apart.
+  // A result that misses a point between legs and strokes cannot be divided into strokes.
   const bool lost = mixed && to.size() == 1 && to[0].points.size() == result.points.size();
   if (from.size() == 1 || from.size() != to.size()) {
     const bool whole = lost || from.size() != to.size();
@@ -80,7 +80,7 @@ void measure_deviations(SmoothingMemory& memory, const OrderedDrawing& drawing,
                         std::span<const DrawnLegs> legs, const SmoothingOptions& options,
                         PolylineDistance* band, Smoothed& smoothed, const Progress& progress) {
   const Stopwatch watch;
-  // A budget of the caller's says how long measuring may take.
+  // A budget of the caller limits measuring already.
   const bool spares =
       options.deviation == DeviationMeasure::kAutomatic && progress.budget() == nullptr;
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {

@@ -1,4 +1,4 @@
-// The deviation of results from a drawing is measured where the drawing is a stroke.
+// The drawing deviation is measured between the strokes of a drawing and of its result.
 #pragma once
 
 #include <span>
@@ -13,11 +13,11 @@
 
 namespace talweg {
 
-/// Sets the deviation of each smoothed curve, and the time that measuring took. A leg is nowhere
-/// near its drawing, so only strokes count where there are any, unless the result misses a point
-/// between them. `legs`: those of the drawing's curves. `band`: the distance to the drawing, if it
-/// is known; else null. Measuring has a budget that grows with the points unless the caller says
-/// how it is measured. Throws Cancelled.
+/// Sets the deviation of each smoothed curve, and the time of measuring. A leg need not be near its
+/// drawing, so a curve with strokes is measured on its strokes only, unless the result misses a
+/// point between legs and strokes. `legs`: per curve of the drawing. `band`: a distance set to the
+/// drawing, or null. With DeviationMeasure::kAutomatic and without a caller's budget, the work is
+/// limited in proportion to the points. Throws Cancelled.
 void measure_deviations(SmoothingMemory& memory, const OrderedDrawing& drawing,
                         std::span<const DrawnLegs> legs, const SmoothingOptions& options,
                         PolylineDistance* band, Smoothed& smoothed, const Progress& progress);

@@ -65,8 +65,7 @@ double EmbeddedDrawing::drawn_length() const {
   return length;
 }
 
-/// A loop of this length is a handful of edges around a vertex: three mean edges of the drawing,
-/// but less than half of the drawn loop if that is small itself.
+/// The option, or by default three mean segments of the drawn loop, but at most half of its length.
 double EmbeddedDrawing::length_floor(const SmoothingOptions& options) const {
   if (options.length_floor) return *options.length_floor;
   double floor = HUGE_VAL;
@@ -86,7 +85,7 @@ Straightening::Options EmbeddedDrawing::straightening_options(
   own.flip_out.min_relative_length = options.min_relative_length;
   own.flip_out.length_floor = length_floor(options);
   own.prepare_whole_mesh = options.prepare_whole_mesh;
-  if (may_cross_) {  // nothing but whole legs will do
+  if (may_cross_) {  // legs must be straightened completely
     own.flip_out.max_iterations.reset();
     own.flip_out.min_relative_length = 0;
   }
@@ -101,7 +100,8 @@ bool EmbeddedDrawing::let_legs_cross(std::size_t crossings, const Progress& prog
   return may_cross_;
 }
 
-/// Where FlipOut may stop early, it counts what all curves have come to.
+/// Legs cannot be straightened one by one with a limit of FlipOut, which is for all curves
+/// together.
 bool EmbeddedDrawing::may_straighten_legs(const Straightening::Options& options) const {
   return ground_.loops == Loops::kKeep && ground_.fence == nullptr &&
          !options.flip_out.max_iterations && options.flip_out.min_relative_length == 0;

@@ -1,4 +1,4 @@
-// An embedded drawing lies in the triangulation of a mesh, ready to be straightened there.
+// An embedded drawing consists of edge paths in the triangulation of a mesh, for straightening.
 #pragma once
 
 #include <optional>
@@ -18,33 +18,34 @@
 
 namespace talweg {
 
-/// The curves with their corners capped, if the options say so.
+/// The curves with their corners capped, if the options require it.
 std::vector<SurfaceCurve> capped_curves(const Surface& surface,
                                         std::span<const SurfaceCurve> curves,
                                         const CurveOptions& options);
 
-/// The part that all smoothing methods share. Refers to the memory and the drawing it is made from.
-/// Costs legs_of() for each curve, and what Straightening needs to embed the curves and to run.
+/// The common part of all smoothing methods. Refers to the memory and the drawing. Costs legs_of()
+/// for each curve, and embedding and runs of Straightening.
 class EmbeddedDrawing {
  public:
   struct Ground {
-    Loops loops = Loops::kKeep;  ///< what becomes of loops; on strips they are removed
-    /// For a part of a mesh: per vertex, whether the surface was cut off there. Null means nowhere.
+    Loops loops = Loops::kKeep;  ///< whether loops stay; on strips they are erased
+    /// For a part of a mesh: per vertex, whether the surface was cut off there. Null for a whole
+    /// mesh.
     const std::vector<bool>* fence = nullptr;
   };
   /// Caps the corners and embeds the curves. Throws as embed_curves() does, and Cancelled.
   EmbeddedDrawing(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
                   Ground ground, const Progress& progress);
 
-  /// Embeds the curves once more, with these pins. Throws Cancelled.
+  /// Embeds the curves again, with new pins. Throws Cancelled.
   void set_pins(std::vector<SurfacePoint> pins, const Progress& progress);
 
-  /// Lets curves that are all legs cross themselves and each other from now on, because their legs
-  /// are straightened each for itself. False, and nothing changes, where that is not possible.
-  /// Throws Cancelled.
+  /// Allows curves that consist of legs only to cross themselves and each other, because their legs
+  /// can be straightened one by one. `crossings`: their number in the drawing. False, without a
+  /// change, if a curve has strokes or the legs cannot be straightened. Throws Cancelled.
   bool let_legs_cross(std::size_t crossings, const Progress& progress);
   [[nodiscard]] bool may_cross() const { return may_cross_; }
-  /// How often they cross as they are drawn, in all.
+  /// The number of crossings in the drawing, as given to let_legs_cross().
   [[nodiscard]] std::size_t crossings() const { return crossings_; }
 
   /// Whether loops of the curves are erased.
@@ -54,40 +55,39 @@ class EmbeddedDrawing {
   [[nodiscard]] const Straightening& straightening() const {
     return std::as_const(*memory_).straightening();
   }
-  /// Of the surface beside curves.
+  /// The curvature of strips of surface beside curves.
   [[nodiscard]] StripCurvature& curvature() { return memory_->curvature(); }
   [[nodiscard]] const OrderedDrawing& drawing() const { return *drawing_; }
   [[nodiscard]] const CurveOptions& options() const { return options_; }
   [[nodiscard]] const std::vector<SurfacePoint>& pins() const { return options_.pins; }
   [[nodiscard]] const std::vector<SurfacePoint>& corners() const { return options_.corners; }
-  /// Pins, corners and way-points: what straightening passes through.
+  /// Pins, corners and way-points, which straightened curves pass through.
   [[nodiscard]] const std::vector<SurfacePoint>& fixed() const { return fixed_; }
-  /// Per curve.
+  /// The legs of each curve.
   [[nodiscard]] const std::vector<DrawnLegs>& legs() const { return legs_; }
-  /// Whether a curve has legs, and whether every curve is of nothing else.
+  /// Whether some curve has legs; whether all curves consist of legs only.
   [[nodiscard]] bool any_legs() const;
   [[nodiscard]] bool all_legs() const;
   /// The curves with their corners capped.
   [[nodiscard]] const std::vector<SurfaceCurve>& capped() const { return capped_; }
-  /// Total length of all curves as they were drawn, mesh units.
+  /// Total length of all drawn curves, mesh units.
   [[nodiscard]] double drawn_length() const;
-  /// The length below which a loop counts as collapsed, mesh units: the option, or a handful of
-  /// edges.
+  /// The length below which a loop counts as collapsed, mesh units: the option, or a few edges.
   [[nodiscard]] double length_floor(const SmoothingOptions& options) const;
 
   /// Straightens the curves in a metric. Throws Cancelled.
   Straightened straighten(const SmoothingOptions& options, SignpostTriangulation::Metric metric,
                           const Progress& progress);
-  /// The curves with their legs straightened, each for itself, and their strokes as drawn; none
-  /// where they are to be straightened together. Throws Cancelled.
+  /// The curves with their legs straightened one by one, and their strokes as drawn; empty if the
+  /// legs must be straightened together. Throws Cancelled.
   std::optional<Straightened> straighten_legs(const SmoothingOptions& options,
                                               const Progress& progress);
-  /// Straightens the curves without a lift. That depends on no tau, so it is kept; the times of one
-  /// that is known are 0. Throws Cancelled.
+  /// Straightens the curves without a lift. The result does not depend on tau, so it is kept; a
+  /// kept result has times of 0. Throws Cancelled.
   Straightened straighten_flat(const SmoothingOptions& options, const Progress& progress);
 
  private:
-  /// The curves straightened without a lift, and the options that matter for it.
+  /// The curves straightened without a lift, and the options of this straightening.
   struct Flat {
     Straightening::Options options;
     Straightened straight;
@@ -106,7 +106,7 @@ class EmbeddedDrawing {
   std::vector<DrawnLegs> legs_;
   bool may_cross_ = false;
   std::size_t crossings_ = 0;
-  bool is_embedded_ = false;  // not while the legs are straightened, each for itself
+  bool is_embedded_ = false;  // false after straightening legs one by one
   std::optional<Flat> flat_;
 };
 

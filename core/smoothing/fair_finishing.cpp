@@ -17,15 +17,15 @@ namespace talweg {
 namespace {
 
 constexpr double kNoTurn = 1e-6;               // rad
-constexpr double kBands[] = {1, 1, 0.7, 0.4};  // of the tries
-constexpr std::size_t kFromTaut = 1;           // the try that starts there
+constexpr double kBands[] = {1, 1, 0.7, 0.4};  // fraction of the walls' distance, per try
+constexpr std::size_t kFromTaut = 1;           // the try that starts from the taut curve
 constexpr std::size_t kTries = std::size(kBands), kBent = kTries + 1, kGivenUp = kTries + 2;
 constexpr double kNoBending = 1e-4;
 
-/// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
-/// where its legs turn sharply.
+/// The exponent c of LegTension for the legs of a spline. With c < 1, the spline would swing out
+/// widely at sharp turns between its legs.
 double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
-constexpr double kTighter = 8;  // of the tries of splines
+constexpr double kTighter = 8;  // factor in a spline's tension per try
 constexpr const char* kTooLong =
     "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "
     "slack allows; they are taken farther apart.";
@@ -36,7 +36,8 @@ constexpr const char* kEndedTaut =
 constexpr const char* kEndedFair =
     "The budget was used up while the curve was made fair; it may bend more than it had to.";
 
-/// The two stretches of a curve that meet at one of its fixed points.
+/// The two stretches of a curve that meet at fixed point number `point`; empty if there are not
+/// two.
 SurfaceCurve about_fixed(const std::vector<SurfacePoint>& fixed, std::size_t point,
                          const SurfaceCurve& curve) {
   const std::vector<std::size_t> stretches = stretches_along(fixed, curve);
@@ -65,8 +66,7 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   now_.resize(curves.size());
   attempt_of_.resize(curves.size());
   for (std::size_t g = 0; g < groups.size(); ++g) begin(groups[g], chains[g]);
-  // Each group is faired separately, so that curves near each other, or strands of one, may
-  // cross.
+  // Groups are faired separately, so curves near each other, or strands of one curve, may cross.
   for (bool again = !curves.empty(); again;) {
     again = false;
     std::vector<bool> done(attempts_.size(), false);
@@ -96,8 +96,8 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   }
 }
 
-/// Whether a curve that may cross does so no more often than the taut one, or a tenth more than the
-/// drawing: at a crossing, two segments begin.
+/// Whether a curve that is allowed to cross has at most as many crossed points as the taut curve,
+/// or at most 1.1 times the crossings of the drawing; a crossing counts as two points.
 bool FairFinishing::crosses_as_drawn(std::size_t curve) {
   if (!hold_->drawing().may_cross()) return false;
   if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_().curves);
@@ -121,7 +121,7 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
     return;
   }
   if (any_legs && !turns_by(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
-                            hold_->drawing().corners())) {  // they are fair
+                            hold_->drawing().corners())) {  // straight legs are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
     }
@@ -147,14 +147,14 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
 
-/// Whether a taut curve lies between the walls, and nothing that is drawn is far from it: then it
-/// has lost nothing. Where walls hold nothing it may lie anywhere.
+/// Whether a taut curve lies between the walls, and no part of the drawing is far from it. For tau
+/// < kLeastHeldTau parts of the drawing may be far.
 bool FairFinishing::is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut) {
   constexpr double kFar = 4;  // walls
   if (has_legs(hold_->drawing(), group)) return true;
   if (!keeps_within(group, taus, taut)) return false;
   if (*std::min_element(taus.begin(), taus.end()) < kLeastHeldTau) return true;
-  if (hold_->drawing().erases_loops()) return true;  // what they leave is what was meant
+  if (hold_->drawing().erases_loops()) return true;  // the short remainder is intended
   const SurfaceMesh& mesh = hold_->drawing().mesh();
   const NearestSegment nearest(segments_of(positions_of(mesh, taut), taut.closed));
   const double far = kFar * hold_->largest_wall(group, taus);
@@ -167,7 +167,7 @@ void FairFinishing::make_fair(std::size_t number) {
   std::optional<SurfaceCurve> fair;
   Attempt& attempt = attempts_[number];
   const Taus taus = taus_of(attempt.group, *options_);
-  // What begins anew needs more than what is left of a budget that is used up.
+  // A new try needs more than the remainder of a budget that is used up.
   bool ended = false;
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
@@ -178,7 +178,7 @@ void FairFinishing::make_fair(std::size_t number) {
     fair = std::move(attempt.bent);
     attempt.tries = kBent;
   }
-  const FairGroup group = attempt.group;  // more attempts may come
+  const FairGroup group = attempt.group;  // a copy: attempts_ may grow
   const auto curves = parted(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
@@ -195,7 +195,7 @@ void FairFinishing::make_fair(std::size_t number) {
   }
 }
 
-/// Where a curve of that number would cross itself or the others as they are now.
+/// The points where `curve`, as curve `number`, would cross itself or the other current curves.
 std::vector<SurfacePoint> FairFinishing::crossed_points(std::size_t number,
                                                         const SurfaceCurve& curve) {
   if (!by_face_) by_face_.emplace(hold_->drawing().surface(), now_);
@@ -207,7 +207,8 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
   now_[number] = std::move(curve);
 }
 
-/// Whether a curve bends more than what it started from.
+/// Whether a curve bends more than the taut curve, if this is close to the drawing, or else than
+/// the drawing.
 bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const FairGroup& group = attempt.group;
@@ -219,7 +220,7 @@ bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
   return own > bending(taut(attempt).is_close ? taut(attempt).curve : group.drawn);
 }
 
-/// The fixed points about which a curve bends more than the taut one.
+/// The fixed points about which a curve bends more than the taut curve.
 std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
                                                        const SurfaceCurve& curve) {
   const EmbeddedDrawing& drawing = hold_->drawing();
@@ -241,8 +242,8 @@ std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
   return bad;
 }
 
-/// Draws the stretches tighter that lie at these points of a curve, and all where that is not
-/// known.
+/// Increases the tension of the stretches of a curve that contain the points `at`; of all stretches
+/// if there are no points or the stretches are not found.
 void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
                             const SurfaceCurve& curve) {
   const SurfaceCurve& taut = this->taut(attempt).curve;
@@ -274,14 +275,15 @@ void FairFinishing::make_fair_apart(const FairGroup& group) {
   }
 }
 
-/// Whether the taut curve does not turn at all, and has lost nothing: it is fair.
+/// Whether the taut curve does not turn and is close to the drawing; it is then fair.
 bool FairFinishing::is_straight(Attempt& attempt) {
   const Taut& own = taut(attempt);
   return own.is_close &&
          !turns_by(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
 }
 
-/// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
+/// Whether the taut curve turns as little as a fair curve and lies between the walls; false for
+/// groups with legs.
 bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
   if (has_legs(hold_->drawing(), attempt.group)) return false;
   const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
@@ -290,19 +292,20 @@ bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
          keeps_within(attempt.group, taus, taut);
 }
 
-/// Whether a fair curve is good without a comparison: it turns little, and is held. Between walls
-/// that are far apart a straight one may lie anywhere.
+/// Whether a fair curve can be accepted without comparison with the taut curve: it turns little,
+/// and the walls are near. Between distant walls, a curve that turns little may still be far from
+/// the drawing.
 bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve) const {
-  constexpr double kHeld = 1.0 / 8;  // of the length
+  constexpr double kHeld = 1.0 / 8;  // times the length
   const EmbeddedDrawing& drawing = hold_->drawing();
   return hold_->largest_wall(group, taus) <= kHeld * group.length &&
          is_gentle(drawing.surface(), curve, drawing.corners(), group.edge);
 }
 
-/// The fair curve of one try: from the chain, then from the taut curve, then from the drawing in
-/// ever narrower bands; with legs from the taut curve, ever tighter. None if it is beyond its walls
-/// or worse than the curve it started from.
+/// The fair curve of the next try: from the chain, then from the taut curve, then from the drawing
+/// in narrower and narrower bands; with legs, from the taut curve with increasing tension. Empty if
+/// the result is beyond its walls or worse than the start curve.
 std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& taus) {
   const EmbeddedDrawing& drawing = hold_->drawing();
   const Surface& surface = drawing.surface();
@@ -332,7 +335,7 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   return std::nullopt;
 }
 
-/// That curve, if it is between its walls.
+/// The fair curve of the current try, if it is between its walls.
 std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& taus,
                                                   const LegStart& legs) {
   const EmbeddedDrawing& drawing = hold_->drawing();
@@ -360,7 +363,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
   return result;
 }
 
-/// Whether a curve is between the walls.
+/// Whether a curve lies between the walls.
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;

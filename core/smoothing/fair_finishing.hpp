@@ -1,4 +1,5 @@
-// Fair finishing makes straightened curves fair, as far as that keeps what must be kept.
+// Fair finishing makes fair curves of chains, checks them, and falls back to other starts or taut
+// curves.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +19,14 @@
 
 namespace talweg {
 
-/// Makes curves of chains, one group after the other, until none
-/// crosses another. Where that would cross what the drawing does not cross, or bend more than
-/// before, they start from the taut curve, or from the drawing in a narrower band; of legs those
-/// that fail are drawn tighter. If nothing helps, what keeps within its walls is the result, though
-/// it bends more; else they stay straightened, with a warning. Curves that are not faired are the
-/// straightened ones. Joined curves that fail are faired each for itself. Refers to the objects it
-/// is made from. Cost: up to four tries of a CurveFairing for each group; and the segments of all
-/// curves in each round in which some cross.
+/// Makes curves of the groups' chains, group by group, until no curve has new crossings. If a curve
+/// has a new crossing, or bends more than its start curve, the next try starts from the taut curve,
+/// or from the drawing in a narrower band; for legs, the tension of the failing legs is increased.
+/// If all tries fail, a curve that keeps within its walls is accepted although it bends more;
+/// otherwise the curve stays taut, with a warning. Curves that are not faired are the straightened
+/// curves. Joined curves that fail are faired separately. Refers to the constructor's arguments.
+/// Cost: up to four tries of a CurveFairing per group; and the segments of all curves in each round
+/// with crossings.
 class FairFinishing {
  public:
   FairFinishing(CorridorHold& hold, const SmoothingOptions& options, TautCurves taut,
@@ -36,22 +37,22 @@ class FairFinishing {
         progress_(&progress),
         asker_(progress, "fair") {}
 
-  /// Once; sets the curve of each of `curves`. Throws Cancelled.
+  /// Sets the curves, and their warnings. To be called once. Throws Cancelled.
   void run(const std::vector<FairGroup>& groups, const FairChains& chains,
            std::vector<SmoothedCurve>& curves);
 
  private:
   struct Taut {
     SurfaceCurve curve;
-    bool is_close = false;  ///< to the drawing: a fair curve need not bend more
+    bool is_close = false;  ///< to the drawing: a fair curve should then not bend more
   };
   struct Attempt {
     FairGroup group;
     std::optional<SampleChain> chain;
-    std::optional<Taut> taut;  ///< once it is asked for
+    std::optional<Taut> taut;  ///< computed on first use
     std::size_t tries = 0;
-    std::optional<SurfaceCurve> bent;  ///< the first result that is only worse for its bending
-    /// Of a curve with legs: per stretch, how much tighter it is drawn since it failed.
+    std::optional<SurfaceCurve> bent;  ///< the first result that only bends too much
+    /// For a curve with legs: per stretch, the factor in its tension after failed tries.
     std::vector<double> tighter;
     std::string left_taut;  ///< a warning
   };
@@ -84,8 +85,8 @@ class FairFinishing {
   Asker asker_;
   std::vector<SmoothedCurve>* curves_ = nullptr;
   std::vector<SurfaceCurve> now_;
-  std::optional<CurvesByFace> by_face_;       // those of now_, once they are needed
-  std::optional<CurvesByFace> taut_by_face_;  // the same of the taut curves
+  std::optional<CurvesByFace> by_face_;       // of now_; made on first use
+  std::optional<CurvesByFace> taut_by_face_;  // of the taut curves
   std::vector<Attempt> attempts_;
   std::vector<std::size_t> attempt_of_;  // per curve
 };

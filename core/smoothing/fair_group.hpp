@@ -1,4 +1,5 @@
-// A fair group is the curves that are faired as one: joined at their ends, or one alone.
+// A fair group consists of curves that are faired as one: curves joined at their ends, or a single
+// curve.
 #pragma once
 
 #include <cstddef>
@@ -16,29 +17,29 @@
 
 namespace talweg {
 
-/// Curves that are faired as one, and what follows from the drawing for that.
+/// Curves that are faired as one, with values of their drawing.
 struct FairGroup {
   JoinedCurves joined;
-  SurfaceCurve drawn;                     ///< all of them
-  std::vector<SurfacePoint> junctions;    ///< where they meet
-  double edge = 0;                        ///< mean edge near them, mesh units
-  double length = 0;                      ///< of all of them, mesh units
+  SurfaceCurve drawn;                     ///< all curves, joined
+  std::vector<SurfacePoint> junctions;    ///< the points where curves are joined
+  double edge = 0;                        ///< mean edge near the curves, mesh units
+  double length = 0;                      ///< of all curves, mesh units
   std::shared_ptr<const DrawnLine> line;  ///< `drawn` in space
 
-  /// Per stretch of a chain between fixed samples, to which of the curves it belongs. O(fixed
-  /// samples · junctions).
+  /// Per stretch of a chain between fixed samples, its curve, as an index into joined.parts.
+  /// O(fixed samples · junctions).
   [[nodiscard]] std::vector<std::size_t> parts_of_stretches(const SampleChain& chain) const;
 };
 
-/// For each of the curves of a group.
+/// One tau per curve of a group.
 using Taus = std::vector<double>;
 
-/// The group of these curves of the drawing. O(points).
+/// The group of the given curves of a drawing. O(points).
 FairGroup fair_group(const EmbeddedDrawing& drawing, JoinedCurves curves);
 Taus taus_of(const FairGroup& group, const SmoothingOptions& options);
 bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group);
-/// Where the straightened curve of a group has its legs; none where it does not pass their ends in
-/// their order. O(points).
+/// The legs on the straightened curve of a group; empty if the curve does not pass the ends of the
+/// legs in order. O(points).
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,
                                   const SurfaceCurve& taut, double relative);
 

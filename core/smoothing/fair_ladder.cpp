@@ -18,7 +18,7 @@ std::optional<double> FairLadder::rung_of(const SmoothingOptions& options, std::
   const double tau = options.tau_of(curve);
   const bool plain = options.finish_of(curve) == Finish::kFair && !options.max_iterations &&
                      options.min_relative_length == 0 && options.relax_rounds == 0;
-  // Below this tau each result is straightened on its own, and may lead far from the drawing.
+  // For a smaller tau a result may be far from the drawing, and is computed without continuation.
   if (!plain || !(tau >= kLeastHeldTau)) return std::nullopt;
   const double power = std::log2(std::min(tau, kMostRung));
   return std::exp2(tau >= kOrigin ? std::floor(power) : std::ceil(power));
@@ -26,8 +26,7 @@ std::optional<double> FairLadder::rung_of(const SmoothingOptions& options, std::
 
 namespace {
 
-/// The options with which the curves are straightened. While dragging there is one curve, and
-/// there may be more valleys.
+/// The options of the straightening: tau = 1 for curves with a rung.
 SmoothingOptions straightening(const SmoothingOptions& options, std::size_t curves) {
   SmoothingOptions own = options;
   for (std::size_t c = 0; c < curves; ++c) {
@@ -88,7 +87,7 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
   return rungs_[number].emplace(taus, std::move(rung)).first->second;
 }
 
-/// The chain of a group for its tau.
+/// The chain of a group for the tau values of the options, interpolated between two rungs.
 std::optional<SampleChain> FairLadder::chain(std::size_t number, const SmoothingOptions& options,
                                              CorridorHold& hold, const TautCurves& taut,
                                              const Progress& progress) {
@@ -121,7 +120,7 @@ void FairLadder::keep_for(const CorridorHold& hold, const SmoothingOptions& opti
 
 Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
                             const Progress& progress) {
-  const bool whole = options.prepare_whole_mesh;  // its report differs
+  const bool whole = options.prepare_whole_mesh;  // its report has other counts
   if (whole) clear();
   keep_for(hold, options);
   StageTimes times;

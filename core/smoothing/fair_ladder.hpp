@@ -1,5 +1,5 @@
-// The fair ladder leads fair curves from one tau to the next, so that they follow a slider
-// steadily.
+// The fair ladder continues fair curves from one tau to the next, so that results follow a slider
+// without jumps.
 #pragma once
 
 #include <map>
@@ -15,40 +15,40 @@
 
 namespace talweg {
 
-/// Continuation in τ. A drawing is faired at tau = 1, and straightened there where a fair curve
-/// asks for that. From there the chains of samples lead on to the powers of two above and below
-/// (the rungs), one after the other, each curve's own to its own tau; joined curves go together.
-/// Between two rungs the samples lie on the ways between theirs. The result therefore follows tau
-/// without jumping between several nearly equal curves, and it does not depend on what was asked
-/// for before. Cost: a fairing for each power of two from tau to 1.
+/// Continuation in τ. A drawing is faired at tau = 1. From there, chains of samples are faired at
+/// the powers of two above and below (the rungs), each starting from the previous rung. Each curve
+/// goes to its own tau; joined curves go together. Between two rungs, samples are interpolated on
+/// the ways between the rungs' samples. The result therefore follows tau without jumping between
+/// nearly equal curves, and does not depend on earlier calls. Cost: a fairing for each power of two
+/// from 1 to tau.
 class FairLadder {
  public:
-  /// The rung at or next to a curve's tau, towards 1; none where it is straightened on its own.
+  /// The rung at a curve's tau, or the next one towards 1; empty for a curve without continuation.
   static std::optional<double> rung_of(const SmoothingOptions& options, std::size_t curve);
 
-  /// The drawing as the ladder begins: curves that have a rung are straightened at tau = 1.
+  /// The straightened curves of the ladder: curves with a rung are straightened at tau = 1.
   static Straightened straightened(CorridorHold& hold, const SmoothingOptions& options,
                                    const Progress& progress);
 
   void clear();
-  /// The result for options that have a rung for some curve. Keeps the rungs as long as what the
-  /// straightening depends on stays the same. Throws Cancelled.
+  /// The result for options with a rung for some curve. The rungs are kept for later calls with the
+  /// same Setting. Throws Cancelled.
   Smoothed smooth(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress);
 
  private:
   struct Rung {
     std::optional<SampleChain> chain;
-    SampleTrail trail;                  ///< from where the next rung towards 1 leads on
-    std::optional<SampleChain> onward;  ///< if not the chain: where the rungs beyond begin
+    SampleTrail trail;                  ///< the ways of the samples from the next rung towards 1
+    std::optional<SampleChain> onward;  ///< the start of the next rung, if not `chain`
 
     [[nodiscard]] const std::optional<SampleChain>& start() const {
       return onward ? onward : chain;
     }
   };
-  /// What a straightening depends on.
+  /// The input on which the rungs depend.
   struct Setting {
     std::vector<Corridor::Valley> valleys;
-    Taus taus;  ///< of the curves, as they are straightened
+    Taus taus;  ///< of the straightening, per curve
     std::vector<JoinedCurves> groups;
     double floor = 0;
 
@@ -62,7 +62,7 @@ class FairLadder {
   void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
 
   std::vector<FairGroup> groups_;
-  std::vector<std::map<Taus, Rung>> rungs_;  // per group, for what follows
+  std::vector<std::map<Taus, Rung>> rungs_;  // per group
   std::optional<Straightened> straight_;
   Setting setting_;
 };

@@ -1,4 +1,4 @@
-// The ground sheet is a rough mesh as it is seen at the scale of its roughness.
+// The ground sheet smooths on a rough mesh without its roughness.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@
 
 namespace talweg {
 
-/// On a rough mesh a fair curve would see every bump. So it is made fair on the mesh's ground
-/// (smooth_ground()), which has the same faces: the same points of these are the result. What is
-/// taut, and what has a potential of the caller's, is smoothed on the mesh as it is. Deviations are
-/// those on the mesh. Only for the corridor.
+/// On a rough mesh, a fair curve would follow every bump. The curve is therefore faired on the
+/// mesh's smooth_ground(), which has the same faces; the result has the same barycentric
+/// coordinates on the mesh. Taut curves, and curves in a given potential, are smoothed on the mesh
+/// itself. Deviations are measured on the mesh. Only for the corridor.
 class GroundSheet final : public Sheet {
  public:
   GroundSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
@@ -32,9 +32,9 @@ class GroundSheet final : public Sheet {
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;
   CurveOptions options_;
-  OrderedDrawing there_;             // the drawing on the ground
-  std::unique_ptr<Sheet> ground_;    // on the ground
-  std::unique_ptr<Sheet> as_it_is_;  // made when first needed
+  OrderedDrawing there_;             // the drawing as curves on the ground
+  std::unique_ptr<Sheet> ground_;    // the sheet on the ground
+  std::unique_ptr<Sheet> as_it_is_;  // on the mesh; made on first use
   double solve_ms_ = 0;
 };
 

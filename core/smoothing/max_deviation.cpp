@@ -22,25 +22,26 @@ namespace talweg {
 namespace {
 
 constexpr double kMostTau = 64;
-constexpr double kFairTau = 1;          // where the ladder begins, so that no rung leads there
-constexpr double kSureSlack = 2 / 3.0;  // of the bound: its walls are as far away as that
+constexpr double kFairTau = 1;          // where the ladder begins: needs no further rung
+constexpr double kSureSlack = 2 / 3.0;  // times the bound: the walls of this slack are at the bound
 constexpr int kSlackHalvings = 6;
-/// Narrowing ends where so many rounds have not brought the result nearer by this factor.
+/// Narrowing ends after kLostRounds rounds that did not reduce the deviation by the factor
+/// kLostPart.
 constexpr int kLostRounds = 4;
 constexpr double kLostPart = 0.98;
 constexpr double kFineness = 1.05;  // factor in tau and slack at which a search ends
 constexpr int kPinRounds = 8;
-/// How the slack is narrowed near a cut-off corner: how far along the drawing, and by how much per
-/// round.
+/// The narrowing of the slack near a corner that the result cuts off: its reach along the drawing,
+/// and its factor per round.
 struct Narrowing {
-  double reach;  // D
+  double reach;  // times the bound D
   double factor;
   int rounds;
 };
 constexpr Narrowing kGently = {1, 0.85, 20}, kFirmly = {2, 0.6, 12};
 
 double to_drawn(const SmoothingResult& result) { return result.total.deviation_to_drawn_max; }
-/// The total curvature of all curves; does not depend on their order.
+/// The total curvature of all curves. Sorting makes the sum independent of the curves' order.
 double curvature(const SmoothingResult& result) {
   std::vector<double> each;
   each.reserve(result.reports.size());
@@ -60,7 +61,7 @@ class BoundSearch {
         options_(std::move(options)),
         progress_(options_.budget.any() ? progress.with(options_.budget) : std::move(progress)),
         own_pins_(smoother.pins().begin(), smoother.pins().end()) {
-    options_.budget = {};  // begins once, for the whole search
+    options_.budget = {};  // one budget for the whole search
     const auto has_slack = [](const OwnOptions& own) { return own.slack.has_value(); };
     given_slack_ = options_.slack || !options_.slack_at.empty() ||
                    std::any_of(options_.per_curve.begin(), options_.per_curve.end(), has_slack);
@@ -73,7 +74,7 @@ class BoundSearch {
           legs_of(ordered_.back(), own.pins, own.way_points, own.painted), ordered_.back()));
     }
   }
-  /// Restores the smoother's own pins at the end, also when something throws.
+  /// Runs the search, and restores the smoother's pins, also after an exception.
   SmoothingResult run() {
     try {
       SmoothingResult result = search();
@@ -88,7 +89,7 @@ class BoundSearch {
  private:
   SmoothingResult search() {
     const auto closed = [](const SurfaceCurve& curve) { return curve.closed; };
-    // No curve is smoother than a geodesic within the bound. Loops would collapse at tau = 0.
+    // A geodesic within the bound is the smoothest curve. Loops would collapse at tau = 0.
     if (std::none_of(ordered_.begin(), ordered_.end(), closed) &&
         measured(0, both_ways) <= bound_) {
       finish();
@@ -107,8 +108,8 @@ class BoundSearch {
 
   using Measure = double (*)(const SmoothingResult&);
 
-  /// With the slack that is given: by tau alone; then, if a lower tau may do with corners pinned,
-  /// with pins.
+  /// The search with a given slack: by tau alone; then with pinned corners, if they may allow a
+  /// smaller tau.
   void try_taus() {
     begin_with(options_.slack);
     const double loose = least_tau(to_drawn);
@@ -117,8 +118,8 @@ class BoundSearch {
     if (tight > loose * kFineness * kFineness || both_ways(best_) > bound_) pin_corners(loose);
   }
 
-  /// The wider the walls, the smoother the curve. Where the widest ones cut off corners, these are
-  /// pinned, or the walls are narrowed at them or everywhere.
+  /// The search by slack: wider walls give smoother curves. If the widest walls let corners be cut
+  /// off, the corners are pinned, or the walls are narrowed near them or everywhere.
   void try_slacks() {
     const double loose = widest_slack(kSureSlack * bound_, bound_, to_drawn);
     if (is_over()) return;
@@ -149,8 +150,8 @@ class BoundSearch {
     pinned_ = 0;
   }
 
-  /// Narrows the valley where the result cuts off a corner of the drawing and leaves it wide
-  /// elsewhere; unlike a pin, this makes no kink.
+  /// Narrows the slack only near corners that the result cuts off. Unlike a pin, narrowing makes no
+  /// kink.
   void narrow_at_corners(double slack, const Narrowing& way) {
     begin_with(slack);
     for (const SurfaceCurve& drawn : ordered_) {
@@ -167,13 +168,13 @@ class BoundSearch {
     options_.slack_at.clear();
   }
 
-  /// Narrows the slack at the points that lie too far from the last result, and at those within D
-  /// of them along the drawing.
+  /// Narrows the slack of curve c at points farther than the bound from the last result, and at
+  /// points within `way.reach` bounds of them along the drawing.
   void narrow(std::size_t c, const Narrowing& way) {
     const SurfaceCurve& drawn = ordered_[c];
     const std::size_t n = drawn.points.size(), around = drawn.closed ? n : 0;
     const std::vector<double> far = distances_to_result(c);
-    std::vector<double> along{0};  // arc length at each point; a loop goes around twice
+    std::vector<double> along{0};  // arc length at each point; of two rounds of a loop
     for (std::size_t k = 1; k < n + around; ++k) {
       const SurfaceCurve leg{false, {drawn.points[(k - 1) % n], drawn.points[k % n]}};
       along.push_back(along.back() + curve_length(smoother_.opened().surface(), leg));
@@ -193,8 +194,8 @@ class BoundSearch {
     }
   }
 
-  /// The distances of the drawing's points, in their order, to the last result; 0 for those on
-  /// legs, which no bound holds. Throws Cancelled.
+  /// The distances of the points of curve c, in canonical order, to the last result; 0 for points
+  /// on legs, which have no bound. Throws Cancelled.
   std::vector<double> distances_to_result(std::size_t c) {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
@@ -209,8 +210,8 @@ class BoundSearch {
     return distances;
   }
 
-  /// The widest slack between these with which the result is within the bound, if the deviation
-  /// grows with the slack; it is with the lower one.
+  /// The widest slack between `low` and `high` with a result within the bound, by bisection;
+  /// assumes that the deviation grows with the slack and that `low` is within the bound.
   double widest_slack(double low, double high, Measure measure) {
     while (high > low * kFineness && !is_over()) {
       const double middle = std::sqrt(low) * std::sqrt(high);
@@ -220,14 +221,14 @@ class BoundSearch {
     return low;
   }
 
-  /// Whether nothing more is tried: cancelled, or the budget is used up after at least one try.
+  /// Whether the search ends: cancelled, or the budget is used up after at least one result.
   bool is_over() {
     ended_ = ended_ || (!best_.curves.empty() && ends_early(progress_));
     return cancelled_ || ended_;
   }
 
-  /// A last try where the budget ends the search before a curve within the bound was found: between
-  /// walls at half the bound.
+  /// One more try if the budget ended the search without a curve within the bound: walls at half
+  /// the bound.
   void hold_near() {
     if (both_ways(best_) <= bound_) return;
     if (!given_slack_) begin_with(kSureSlack / 2 * bound_);
@@ -240,7 +241,7 @@ class BoundSearch {
   }
   double measured_now(double tau, Measure measure) {
     options_.tau = tau;
-    // Bounds are enough, but what is through space proves nothing.
+    // Upper bounds suffice, but distances through space prove nothing.
     const bool held = tau >= kLeastHeldTau;
     options_.deviation = held ? DeviationMeasure::kAutomatic : DeviationMeasure::kAlongSurface;
     last_ = smoother_.smooth(options_, progress_);
@@ -249,8 +250,8 @@ class BoundSearch {
     return measure(last_);
   }
 
-  /// The smallest tau within the bound, if the deviation falls monotonically; the largest tau if
-  /// none is.
+  /// The smallest tau with a result within the bound, assuming that the deviation decreases with
+  /// tau; the largest tried tau if there is none.
   double least_tau(Measure measure) {
     double low = 1, high = 1;
     if (measured(1, measure) <= bound_) {
@@ -286,13 +287,14 @@ class BoundSearch {
     }
   }
 
-  /// Adds the farthest point of each stretch of the drawing that lies too far from the last result.
+  /// Adds the farthest point of each stretch of the drawing that is beyond the bound from the last
+  /// result.
   void add_lost_corners(std::vector<SurfacePoint>& pins) {
     for (std::size_t c = 0; c < ordered_.size(); ++c) {
       const SurfaceCurve& drawn = ordered_[c];
       const std::vector<double> far = distances_to_result(c);
       const std::size_t n = far.size();
-      // On a loop, start at a point that lies within the bound.
+      // On a loop, the search starts at a point within the bound.
       std::size_t first = 0;
       while (drawn.closed && first < n && far[first] > bound_) ++first;
       const SurfacePoint* farthest = nullptr;
@@ -317,7 +319,8 @@ class BoundSearch {
     }
   }
 
-  /// Keeps the smoothest result within the bound or, while there is none, the nearest one.
+  /// Keeps the last result if it is better: the smoothest within the bound or, without one, the
+  /// nearest.
   void keep_better() {
     const auto worse = [this](const SmoothingResult& a, const SmoothingResult& b) {
       const double over_a = std::max(both_ways(a), bound_), over_b = std::max(both_ways(b), bound_);
@@ -363,9 +366,11 @@ class BoundSearch {
     }
   }
 
-  /// A bound below what the hand trembles by leaves nothing to smooth.
+  /// Warns if the bound is below the trembling of the hand, so that hardly anything can be
+  /// smoothed.
   void warn_if_too_narrow(double slack, SmoothingReport& report) const {
-    constexpr double kHardly = 0.5, kTrembles = 1;  // of its bending, and that
+    constexpr double kHardly = 0.5,
+                     kTrembles = 1;  // fraction of the bending before; least bending before
     if (given_slack_ || !(bound_ < slack) || report.before.bending < kTrembles) return;
     if (report.after.bending <= kHardly * report.before.bending) return;
     report.warnings.push_back(
@@ -379,16 +384,16 @@ class BoundSearch {
   SmoothingOptions options_;
   Progress progress_;
   std::vector<SurfacePoint> own_pins_;
-  // The drawing in canonical order, which the smoother uses too.
+  // The drawing in canonical order.
   std::vector<CurveOrder> orders_;
   std::vector<SurfaceCurve> ordered_;
-  std::vector<std::vector<bool>> on_stroke_;  // per point of these
+  std::vector<std::vector<bool>> on_stroke_;  // per point of ordered_
   std::optional<PolylineDistance> to_result_;
   SmoothingResult last_, best_;
   std::size_t pinned_ = 0, best_pinned_ = 0;
   bool given_slack_ = false;
   bool cancelled_ = false;
-  bool ended_ = false;  // by the budget, before all was tried
+  bool ended_ = false;  // the budget ended the search
 };
 
 }  // namespace
@@ -399,7 +404,7 @@ SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
     throw Error(ErrorCode::kBadUsage, "max_deviation must be finite and > 0.");
   }
   if (smoother.drawn().empty()) throw Error(ErrorCode::kBadUsage, "No curve is set.");
-  if (smoother.slack().empty()) {  // so that giving back the pins cannot fail
+  if (smoother.slack().empty()) {  // restoring the pins then cannot fail
     throw Error(ErrorCode::kBadUsage, "smooth_within() needs the corridor.");
   }
   try {

@@ -1,32 +1,33 @@
-// A bound on the deviation is the parameter that users understand: no farther than this.
+// A bound on the deviation replaces tau and slack: the smoothest curve within the bound is searched
+// for.
 #pragma once
 
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg {
 
-/// The smoothest curves found whose deviation from the drawing, in both directions and along the
-/// surface, is at most `max_deviation` (mesh units, > 0). The smoothest are those with the least
-/// total curvature.
+/// Searches for the smoothest curves whose deviation from the drawing, in both directions and along
+/// the surface, is at most `max_deviation` (mesh units, > 0). The smoothest curves are those with
+/// the least total curvature.
 ///
-/// Between two way-points there is no stroke to be near to, so legs do not count.
+/// The bound does not apply to legs, which lie between two way-points and have no stroke.
 ///
-/// Searches for the widest slack that keeps the result within the bound at tau = 1. Where a corner
-/// of the drawing is still cut off, it is pinned, or the slack is narrowed around it, whichever
-/// gives the smoother result. If the options have a slack, for all curves or for one, it searches
-/// for the smallest tau with that slack instead. The search works on the curves in their canonical
-/// order, so a drawing that is reversed, begun elsewhere or listed in another order has the same
-/// result. Every tau of the options and `options.deviation` are ignored; where exact deviations
-/// would take far longer than smoothing, upper bounds of them must be within the bound. Takes up to
-/// 60 runs of smooth(); each point that is pinned is compared with all pins.
+/// The search is for the widest slack at tau = 1 with a result within the bound. A corner of the
+/// drawing that is still cut off is pinned, or the slack is narrowed around it, whichever gives the
+/// smoother result. If the options have a slack, for all curves or for one, the search is for the
+/// smallest tau with this slack instead. The search works on the curves in canonical order, so
+/// reversing a curve, rotating a loop or listing curves in another order gives the same result. All
+/// tau values of the options and `options.deviation` are ignored. If exact deviations would take
+/// far longer than smoothing, their upper bounds must be within the bound. Takes up to 60 runs of
+/// smooth().
 ///
-/// The report has the tau and slack that were found, `max_deviation`, and how many points were
-/// pinned. If no curve within the bound was found, the best one is returned, its `termination` is
-/// "deviation", and a warning says how far off it is. When a budget is used up, the best result so
-/// far is returned, after one more try near the drawing if none was within the bound. When
-/// cancelled, the curves are those drawn, and `termination` says so. The smoother keeps its curve
-/// and its pins. Throws Error(kBadUsage) when the bound is not > 0, no curve is set, or the curve
-/// was set with another method than the corridor.
+/// The report has the tau and slack that were found, `max_deviation`, and the number of added pins.
+/// If no curve within the bound was found, the best curve is returned with the termination
+/// kDeviation and a warning with its deviation. When a budget is used up, the best result is
+/// returned, after one more try near the drawing if none was within the bound. When cancelled, the
+/// result has the drawn curves and the termination kCancelled. The smoother keeps its curve and
+/// pins. Throws Error(kBadUsage) if the bound is not > 0, if no curve is set, or for another method
+/// than the corridor.
 SmoothingResult smooth_within(CurveSmoother& smoother, double max_deviation,
                               const SmoothingOptions& options = {}, const Progress& progress = {});
 

@@ -14,9 +14,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kRounding = 1e-6;  // mean edges: no point that was meant is nearer to another
+constexpr double kRounding = 1e-6;  // mean edges: nearer than any two intended points
 
-/// Pins and corners are passed exactly, as way-points without a tolerance are.
+/// Way-points, and pins and corners as way-points without a tolerance.
 std::vector<WayPoint> points_to_pass(const CurveOptions& options) {
   std::vector<WayPoint> points = options.way_points;
   for (const auto* exact : {&options.pins, &options.corners}) {
@@ -34,7 +34,7 @@ struct Missed {
 Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCurve& drawn,
                  const SurfaceCurve& result, const std::vector<WayPoint>& to_pass) {
   const PointLookup on_drawn(drawn.points), on_result(result.points);
-  std::vector<SurfacePoint> points;  // that are no points of the result
+  std::vector<SurfacePoint> points;  // points to pass that are not points of the result
   std::vector<double> limits;
   for (const WayPoint& way : to_pass) {
     if (!on_drawn.contains(way.point) || on_result.contains(way.point)) continue;
@@ -44,7 +44,7 @@ Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCu
   Missed missed;
   if (points.empty()) return missed;
   const std::vector<bool> passed = meter.are_near(points, limits, result);
-  // What is missed may lie so far off that the exact distance would take longer than all else.
+  // Misses are measured in space: exact distances of far points would take too long.
   const NearestSegment nearest(segments_of(positions_of(mesh, result), result.closed));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (passed[i]) continue;

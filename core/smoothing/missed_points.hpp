@@ -1,4 +1,4 @@
-// Points that a result was to pass, and does not.
+// Missed points are way-points, pins and corners that a result does not pass.
 #pragma once
 
 #include <span>
@@ -10,12 +10,12 @@
 
 namespace talweg {
 
-/// Adds a warning to the report of each curve, and ends it as Outcome::kMissed, that misses some
-/// of its way-points (by more than their tolerance), pins or corners: how many, and by how much and
-/// where the worst. That happens where a drawing that meets itself is smoothed on a strip: loops
-/// too small to be laid out there, and ways back, are left out (Loops::kErase). `drawn` and the
-/// results are in one order. O(points), and an exact distance for each way-point that is no point
-/// of the result.
+/// Reports missed points of each curve: way-points missed by more than their tolerance, pins and
+/// corners. The report gets their number, the largest distance and its place, a warning, and the
+/// termination kMissed. Points are missed if a drawing that meets itself is smoothed on a strip,
+/// which erases loops too small for the strip and ways back (Loops::kErase). `drawn` and the
+/// results are in the same order. O(points), and an exact distance for each way-point that is not a
+/// point of the result.
 void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
                            std::span<const SurfaceCurve> drawn, const CurveOptions& options,
                            SmoothingResult& result);

@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kOfPoint = 8;  // units of work to measure or to check a point
+constexpr std::size_t kOfPoint = 8;  // units of work per point
 
 [[noreturn]] void refuse_point(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                std::size_t number) {

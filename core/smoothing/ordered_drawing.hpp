@@ -1,4 +1,4 @@
-// An ordered drawing has its curves and their points in the order in which they are worked on.
+// An ordered drawing has its curves and their points in canonical order.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,10 @@
 
 namespace talweg {
 
-/// The result must not depend on the end from which a curve is drawn, on where a loop begins, or on
-/// the order in which the curves are listed. So everything is measured and decided on the curves in
-/// canonical order, while the caller's curves and results are in the caller's order: a reversed
-/// drawing has the same result to the last bit. O(n log n) for n points, times the degree of the
-/// vertices they lie at.
+/// The result must not depend on the direction of a curve, on the first point of a loop, or on the
+/// order of the curves. Curves are therefore smoothed and measured in canonical order, while the
+/// caller's curves and results are in drawn order; a reversed drawing has the same result to the
+/// last bit. O(n log n) for n points, times the degree of their vertices.
 class OrderedDrawing {
  public:
   OrderedDrawing() = default;
@@ -28,17 +27,17 @@ class OrderedDrawing {
   OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
                  std::span<const StrokeSlack> slacks, Asker& asker);
 
-  /// The curves as they were drawn.
+  /// The curves in drawn order.
   [[nodiscard]] const std::vector<SurfaceCurve>& drawn() const { return drawn_; }
-  /// The curves and their points in canonical order; the numbers below refer to this order.
+  /// The curves and their points in canonical order; other lists are in this order.
   [[nodiscard]] const std::vector<SurfaceCurve>& curves() const { return ordered_; }
-  /// What depends on the order of the points (sign, index) is that of the curve as it was drawn.
+  /// Per curve. Values that depend on the order of points (sign, index) refer to the drawn order.
   [[nodiscard]] const std::vector<CurveMeasures>& measures() const { return measures_; }
-  /// How exact the curves are, unless somebody says otherwise.
+  /// Per curve, the estimated slack.
   [[nodiscard]] const std::vector<StrokeSlack>& slacks() const { return slacks_; }
-  /// The length of the mesh's edges near each curve, mesh units.
+  /// Per curve, edge_length_near(), mesh units.
   [[nodiscard]] const std::vector<double>& edges_near() const { return edges_near_; }
-  /// For each ordered curve the number of the drawn one, and (place_of()) the reverse.
+  /// Per ordered curve, the number of the drawn curve; place_of() is the inverse.
   [[nodiscard]] const std::vector<std::size_t>& numbers() const { return numbers_; }
   [[nodiscard]] std::size_t place_of(std::size_t drawn) const { return places_[drawn]; }
 
@@ -49,17 +48,17 @@ class OrderedDrawing {
     for (const std::size_t place : places_) result.push_back(ordered[place]);
     return result;
   }
-  /// Options whose slack_at and per_curve follow the drawn curves, converted to the ordered ones.
-  /// Throws Error(kBadUsage) where there are not as many values as points or curves.
+  /// Options with slack_at and per_curve converted from drawn to canonical order. Throws
+  /// Error(kBadUsage) if the numbers of values differ from the points or curves.
   [[nodiscard]] SmoothingOptions ordered(SmoothingOptions options) const;
-  /// One of the ordered curves, or its result, in the direction in which it was drawn.
+  /// An ordered curve or its result, in the direction of the drawn curve.
   [[nodiscard]] SurfaceCurve in_drawn_direction(std::size_t ordered, SurfaceCurve curve) const;
-  /// Measures of such a result, which has so many points.
+  /// Measures of a result with `points` points, in the direction of the drawn curve.
   [[nodiscard]] CurveMeasures in_drawn_direction(std::size_t ordered, CurveMeasures measures,
                                                  std::size_t points) const;
-  /// Measures of one of the ordered curves itself, as those of the curve that was drawn.
+  /// Measures of an ordered curve, converted to the drawn curve.
   [[nodiscard]] CurveMeasures of_drawn(std::size_t ordered, CurveMeasures measures) const;
-  /// A result for the ordered curves, converted to the curves as they were drawn.
+  /// A result for the ordered curves, converted to drawn order.
   [[nodiscard]] SmoothingResult as_drawn(SmoothingResult result) const;
 
  private:
@@ -67,7 +66,7 @@ class OrderedDrawing {
 
   std::vector<SurfaceCurve> drawn_, ordered_;
   std::vector<std::size_t> numbers_, places_;
-  std::vector<CurveOrder> orders_;  // from drawn to ordered points
+  std::vector<CurveOrder> orders_;  // the order of points, per ordered curve
   std::vector<CurveMeasures> measures_;
   std::vector<StrokeSlack> slacks_;
   std::vector<double> edges_near_;
@@ -77,8 +76,8 @@ class OrderedDrawing {
 void check_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                    const CurveOptions& options, const Progress& progress);
 
-/// Checks curves and options and puts the curves in order. `slacks` has one entry per curve, or
-/// none where nobody will ask. Throws as check_drawing().
+/// Checks curves and options, and orders the curves. `slacks` has one entry per curve, or is empty
+/// if the slacks are not used. Throws as check_drawing().
 OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                std::span<const StrokeSlack> slacks, const CurveOptions& options,
                                const Progress& progress);

@@ -1,4 +1,4 @@
-// The paper's method straightens curves over a potential on the mesh's vertices, and relaxes them.
+// The paper's method straightens curves in a potential on the mesh's vertices, and relaxes them.
 #pragma once
 
 #include <cstddef>
@@ -13,31 +13,31 @@
 
 namespace talweg {
 
-/// A potential given by the caller: row by row `components` values per mesh vertex, mesh units.
+/// A given potential: row by row `components` values per mesh vertex, mesh units.
 struct GivenPotential {
   std::span<const double> values;
   std::size_t components = 1;
 };
 
-/// Straightens in that potential and relaxes. Throws Cancelled.
+/// Straightens the curves in a given potential, and relaxes them. Throws Cancelled.
 Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
                    const SmoothingOptions& options, const Progress& progress);
 
-/// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance computed by heat
-/// or given. Refers to the objects it is made from. Cost: that of PaperLift once for a drawing,
+/// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance of the heat method
+/// or a given distance. Refers to the constructor's arguments. Cost: PaperLift once per drawing,
 /// then a run of Straightening and relax() for each tau.
 class PaperMethod {
  public:
   PaperMethod(const OpenedMesh& mesh, EmbeddedDrawing& drawing)
       : drawing_(&drawing), lift_(mesh, drawing.straightening()) {}
 
-  /// Computes the distance if it is not known yet. Throws Cancelled.
+  /// Computes the distance if it is not known. Throws Cancelled.
   void need_distance(const Progress& progress);
   /// Sets a distance that was checked with PaperLift::check().
   void set_distance(std::vector<double> distance);
   [[nodiscard]] const PaperLift& lift() const { return lift_; }
 
-  /// Needs no distance at tau = 0. Throws Cancelled.
+  /// Smooths the curves; needs no distance at tau = 0. Throws Cancelled.
   Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
 
  private:

@@ -19,9 +19,8 @@ using Barycentric = std::array<double, 3>;
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 constexpr std::size_t kMostSegments = 64;  // most segments of a drawing in one face
 constexpr std::size_t kOfFace = 8;         // units of work
-// In slacks: the distance by which a curve that is straight in a face may miss the drawing there.
-// In faces with edges longer than kWide the curve would lie still farther off, so a deviation of
-// kBentAt suffices.
+// In slacks. A face is too large if the drawing deviates by more than kAside from the straight line
+// through the face; for faces with edges longer than kWide, by more than kBentAt.
 constexpr double kAside = 4, kWide = 8, kBentAt = 0.5;
 
 double distance_to_chord(const Point& p, const Point& a, const Point& b) {
@@ -37,7 +36,7 @@ double longest_side(const Surface& surface, FaceId face) {
                    surface.length(edge_of(surface.next(next)))});
 }
 
-/// A triangulation whose triangles are bisected, and pieces of curves in its triangles.
+/// A triangulation that is refined by bisection, with the segments of curves in its triangles.
 class Bisection {
  public:
   Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker);
@@ -48,21 +47,21 @@ class Bisection {
 
  private:
   using Index = std::uint32_t;
-  struct Piece {  // a triangle
+  struct Piece {  // a triangle of the refined mesh
     std::array<Index, 3> corners;
-    std::array<Index, 3> across;  // the side from corner k to the next one
-    std::array<bool, 3> cut;      // whether the mesh goes on beyond this side
+    std::array<Index, 3> across;  // the piece across the side from corner k to the next
+    std::array<bool, 3> cut;      // whether the mesh continues beyond this side
     FaceId face;
     RefinedMesh::Corners in_face;
-    bool divided = false;         // whether it must be bisected until small enough
-    std::vector<Index> segments;  // in the order of their curve
+    bool divided = false;         // whether it is bisected until small enough
+    std::vector<Index> segments;  // in the order of the curve
   };
   struct Segment {
     Index piece;
-    Barycentric from, to;   // barycentrics in the piece
+    Barycentric from, to;   // barycentric coordinates in the piece
     Index next = kNothing;  // along the curve
     Index curve = 0;
-    Index drawn = 0;  // the segment of the drawing that it is a part of
+    Index drawn = 0;  // the segment of the drawing that contains it
     double begin = 0, end = 1;
   };
 
@@ -80,15 +79,15 @@ class Bisection {
   Asker& asker_;
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
-  ZeroedVector<Index> of_face_;  // number of the piece, plus 1
+  ZeroedVector<Index> of_face_;  // per face, its piece plus 1
   std::vector<Segment> segments_;
-  std::vector<Index> first_;  // first segment of each curve
+  std::vector<Index> first_;  // per curve, its first segment
 };
 
 Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker)
     : mesh_(mesh), asker_(asker), of_face_(mesh.surface().face_count()) {
   const Surface& surface = mesh.surface();
-  ZeroedVector<Index> known(surface.vertex_count());  // number of the vertex, plus 1
+  ZeroedVector<Index> known(surface.vertex_count());  // per vertex, its number plus 1
   for (const FaceId face : faces) {
     asker_.did(kOfFace);
     Piece piece{{}, {}, {}, face, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, false, {}};
@@ -134,7 +133,8 @@ void Bisection::add(std::size_t curve, const SurfaceCurve& drawn) {
   }
 }
 
-/// Among equally long sides, both adjacent triangles choose the same one.
+/// The longest side of a piece. Ties are broken by the ends, so both adjacent triangles choose the
+/// same side.
 std::size_t Bisection::longest_side(Index piece) const {
   const auto& corners = pieces_[piece].corners;
   const auto order = [&](std::size_t k) {
@@ -155,7 +155,8 @@ std::size_t Bisection::side_towards(Index piece, Index from, Index to) const {
   return side;
 }
 
-/// Bisects a triangle at its longest side, after any neighbours beyond it that have a longer side.
+/// Bisects a triangle at its longest side, after neighbours across this side whose longest side is
+/// another.
 void Bisection::bisect(Index piece) {
   std::vector<Index> stack{piece};
   while (!stack.empty()) {
@@ -186,8 +187,8 @@ void Bisection::bisect(Index piece) {
   }
 }
 
-/// Splits the triangle at the side from a to b, with c opposite: (a, middle, c) stays, (middle, b,
-/// c) is new.
+/// Splits a triangle at its side from a to b, with c opposite: (a, middle, c) keeps the number,
+/// (middle, b, c) is new.
 Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
   const auto fresh = static_cast<Index>(pieces_.size());
   pieces_.push_back(pieces_[piece]);
@@ -208,8 +209,8 @@ Bisection::Index Bisection::split(Index piece, std::size_t side, Index middle) {
 }
 
 /// Distributes a triangle's segments to its halves. On the line from the middle of the side to the
-/// opposite corner the barycentrics of the side's ends are equal; the barycentrics in the halves
-/// follow without a division.
+/// opposite corner, the barycentric coordinates of the side's ends are equal; the coordinates in
+/// the halves follow without a division.
 void Bisection::share_segments(Index piece, Index other, std::size_t side) {
   const std::size_t ia = side, ib = (side + 1) % 3;
   const std::vector<Index> segments = std::exchange(pieces_[piece].segments, {});
@@ -255,7 +256,7 @@ bool Bisection::is_too_large(const Piece& piece, std::span<const double> longest
     size = std::max(size, points_[piece.corners[k]].cwiseAbs().maxCoeff());
   }
   for (const Index s : piece.segments) most = std::min(most, longest[segments_[s].curve]);
-  if (!(edge > std::ldexp(size, -36))) return false;  // positions must tell corners apart
+  if (!(edge > std::ldexp(size, -36))) return false;  // positions must distinguish corners
   return edge > most || (piece.segments.size() > kMostSegments && edge > most / 16);
 }
 
@@ -302,7 +303,7 @@ RefinedMesh Bisection::result(std::size_t curves) && {
   return result;
 }
 
-/// Calls use() with the faces around a vertex, counterclockwise.
+/// Calls use(halfedge, face) for the faces around a vertex, counterclockwise.
 template <typename Use>
 void around(const Surface& surface, VertexId v, Use&& use) {
   const HalfedgeId first = surface.halfedge(v);
@@ -313,7 +314,7 @@ void around(const Surface& surface, VertexId v, Use&& use) {
   }
 }
 
-/// Adds all faces around vertices at which some of the faces meet without an edge in common.
+/// Adds all faces around vertices where the faces form more than one fan.
 void fill_pinches(const Surface& surface, std::vector<std::size_t>& faces) {
   ZeroedVector<char> taken(surface.face_count());
   for (const std::size_t face : faces) taken[face] = 1;
@@ -335,11 +336,11 @@ void fill_pinches(const Surface& surface, std::vector<std::size_t>& faces) {
   }
 }
 
-/// The faces along the curves and those within `reach` of them, in ascending order.
+/// The faces along the curves and within `reach` of them (mesh units, along edges), ascending.
 std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                  double reach, Asker& asker) {
   const Surface& surface = mesh.surface();
-  ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0 where not reached
+  ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0 if not reached
   using Item = std::pair<double, std::size_t>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue;
   const auto offer = [&](VertexId v, double way) {

@@ -13,15 +13,15 @@
 namespace talweg {
 namespace {
 
-/// The longest allowed edge: twice the slack, which is about the edge length of meshes on whose
-/// edges people draw. It is shorter if a curve would have too few edges to look smooth, unless the
-/// slack is wider than all of its bends.
+/// The longest allowed edge: twice the slack, or a 200th of the curve's length if this is shorter,
+/// so that the curve crosses enough edges to look smooth; but at least a quarter of the slack.
 double longest_edge(const Surface& surface, const SurfaceCurve& drawn, double slack) {
   constexpr double kEdges = 200;
   return std::max(std::min(2 * slack, curve_length(surface, drawn) / kEdges), slack / 4);
 }
 
-/// Per-vertex values (k a row) of a mesh at the vertices of its refined part, linear in each face.
+/// Interpolates values per vertex (k per row) of a mesh linearly at the vertices of its refined
+/// part.
 std::vector<double> values_on(const RefinedMesh& mesh, const Surface& original,
                               const GivenPotential& given) {
   const std::size_t components = given.components;
@@ -48,7 +48,7 @@ std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawin
   std::vector<FaceId> faces;
   for (std::size_t c = 0; c < drawing.curves().size(); ++c) {
     const SurfaceCurve& curve = drawing.curves()[c];
-    // Legs are free, however fine the way between two clicks is.
+    // Legs do not follow the drawing, so its fineness there does not matter.
     if (legs_of(curve, options.pins, options.way_points, options.painted).all()) continue;
     const std::vector<FaceId> own = too_large_faces(mesh, curve, drawing.slacks()[c].slack);
     faces.insert(faces.end(), own.begin(), own.end());
@@ -62,7 +62,7 @@ RefinedSheet::RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawin
   parts_.push_back(part_within(reach(), progress));
 }
 
-/// How far around the drawing a result can come at tau = 1/8 and more.
+/// The largest distance of a result from the drawing for tau >= 1/8, mesh units.
 double RefinedSheet::reach() const {
   double reach = 0;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
@@ -128,7 +128,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
   if (given == nullptr && held)
     return coarse(*parts_.front(), smooth_on(*parts_.front(), options, given, progress));
   SmoothingOptions lazy = options;
-  lazy.prepare_whole_mesh = false;  // only what is touched decides
+  lazy.prepare_whole_mesh = false;  // only touched faces matter
   double reach = this->reach();
   for (std::size_t k = 0;; ++k, reach *= 2) {
     if (k == parts_.size()) parts_.push_back(part_within(reach, progress));
@@ -140,7 +140,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
   }
 }
 
-/// The result in the order of the drawing, still on the part.
+/// The result in the order of the drawing, on the refined part.
 Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& options,
                                  const GivenPotential* given, const Progress& progress) {
   SmoothingOptions own = options;
@@ -156,7 +156,7 @@ Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& optio
   return as_drawn(part.drawing, part.sheet->smooth(own, &there, progress));
 }
 
-/// The slack along the curve on the part, linear between the points of the drawing.
+/// The slack along the curve on the refined part, linear between the points of the drawing.
 std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
                                            const std::vector<double>& drawn) const {
   const std::size_t n = drawing_->curves()[curve].points.size();
@@ -169,7 +169,7 @@ std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
   return result;
 }
 
-/// The result moved back to the mesh.
+/// The result, converted to the mesh.
 Smoothed RefinedSheet::coarse(const Part& part, Smoothed smoothed) const {
   const Surface& fine = part.memory->surface();
   for (SmoothedCurve& curve : smoothed.curves) {

@@ -1,4 +1,5 @@
-// The refined sheet is the part of a mesh around a drawing, with faces as fine as the drawing is.
+// The refined sheet smooths on the part of a mesh around a drawing, with faces as fine as the
+// drawing.
 #pragma once
 
 #include <memory>
@@ -10,16 +11,17 @@
 
 namespace talweg {
 
-/// The faces that are too large for one of the curves.
+/// The faces that are too large for one of the curves: too_large_faces() with the curve's slack.
 std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                     const CurveOptions& options);
 
-/// Below tau = 1/8 a result may lead anywhere. So it is computed on larger and larger parts of the
-/// mesh, always starting with the first, until it does not touch the boundary where its part was
-/// cut off. That costs only what the result touches, and gives the same result as the whole mesh.
+/// For tau < 1/8 a result may be anywhere. The result is then computed on larger and larger parts
+/// of the mesh, always starting with the first part, until it does not touch the boundary where its
+/// part was cut off. The cost is that of the touched part, and the result equals that on the whole
+/// mesh.
 class RefinedSheet final : public Sheet {
  public:
-  /// Divides the faces and embeds the drawing there.
+  /// Divides the faces, and embeds the drawing in the refined part.
   RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
                const Progress& progress);
 
@@ -49,7 +51,7 @@ class RefinedSheet final : public Sheet {
   const SurfaceMesh* mesh_;
   const OrderedDrawing* drawing_;
   CurveOptions options_;
-  std::vector<std::unique_ptr<Part>> parts_;  // each with twice the reach of the one before
+  std::vector<std::unique_ptr<Part>> parts_;  // each with twice the reach of the previous
   double solve_ms_ = 0;
 };
 

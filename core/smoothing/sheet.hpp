@@ -1,4 +1,5 @@
-// A sheet is the surface on which a drawing is smoothed: the mesh, or one made for the drawing.
+// A sheet is the surface on which a drawing is smoothed: the mesh, or a surface made for the
+// drawing.
 #pragma once
 
 #include <span>
@@ -16,9 +17,9 @@
 
 namespace talweg {
 
-/// Moves a drawing from its mesh to the surface where it is smoothed, and results back. Curves,
-/// pins and values that go in and out are on the mesh, in the drawing's order. Every non-const
-/// function throws Cancelled; set_pins() must then be called again.
+/// Converts a drawing from its mesh to the sheet, smooths it there, and converts results back.
+/// Arguments and results are on the mesh, in the drawing's order. Every non-const function throws
+/// Cancelled; set_pins() must then be called again.
 class Sheet {
  public:
   Sheet() = default;
@@ -26,26 +27,27 @@ class Sheet {
   Sheet(const Sheet&) = delete;
   Sheet& operator=(const Sheet&) = delete;
 
-  /// `given`: a potential on the mesh that replaces the method's own; null for none.
+  /// `given`: a potential on the mesh that replaces the method's potential; null for none.
   virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
                           const Progress& progress) = 0;
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
-  /// Per curve the corridor's slack where the options give none; empty for the paper's method.
+  /// Per curve, the corridor's default slack, mesh units; empty for the paper's method.
   [[nodiscard]] virtual std::vector<double> slack() const = 0;
-  /// Per curve its valley in the corridor; null where it is not smoothed on the mesh itself.
+  /// Per curve, its valley in the corridor; null if the sheet is not the mesh itself.
   [[nodiscard]] virtual const std::vector<Corridor::Valley>* valleys() const { return nullptr; }
-  /// The paper's distance per mesh vertex; empty until it is known.
+  /// The paper's distance per mesh vertex; empty if not known.
   [[nodiscard]] virtual std::span<const double> distance() const { return {}; }
   virtual void need_distance(const Progress& /*progress*/) {}
 };
 
-/// Puts the options that only the corridor uses into the drawing's order.
+/// The options in the drawing's order; unchanged for the paper's method, which has no options per
+/// curve.
 inline SmoothingOptions ordered_for(Method method, const OrderedDrawing& drawing,
                                     const SmoothingOptions& options) {
   return method == Method::kCorridor ? drawing.ordered(options) : options;
 }
 
-/// The options on another surface, where points of the drawing have copies.
+/// The options for a drawing on another surface, given the copies of its points there.
 inline CurveOptions options_there(const CurveOptions& options, const PointCopies& copies) {
   CurveOptions there = options;
   there.pins = copies.of(options.pins);
@@ -60,8 +62,8 @@ inline CurveOptions options_there(const CurveOptions& options, const PointCopies
   return there;
 }
 
-/// Whether a result might go on beyond a part of the surface that was cut off at these vertices.
-/// O(points).
+/// Whether a result might continue beyond a part of the surface that was cut off at the vertices
+/// `at_cut`. O(points).
 bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
 
 }  // namespace talweg

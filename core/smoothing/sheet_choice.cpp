@@ -23,7 +23,7 @@ std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& d
                                 const CurveOptions& options,
                                 std::optional<std::vector<double>> distance,
                                 const Progress& progress) {
-  // The paper's method works on the mesh's own vertices only.
+  // The paper's method uses the vertices of the mesh only.
   if (options.method == Method::kCorridor &&
       !faces_to_divide(memory.mesh(), drawing, options).empty()) {
     return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);

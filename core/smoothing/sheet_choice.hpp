@@ -1,5 +1,5 @@
-// The sheet on which a drawing is smoothed is chosen by how rough the mesh is, how fine the drawing
-// is, and whether it crosses.
+// The choice of a sheet depends on the roughness of the mesh, the fineness of the drawing, and its
+// crossings.
 #pragma once
 
 #include <memory>
@@ -10,19 +10,17 @@
 
 namespace talweg {
 
-/// Smooths on the mesh's ground where the mesh is rough along the drawing, but for the paper's
-/// method, and is sheet_on() the mesh otherwise. `distance`: the paper's distance per mesh vertex,
-/// used as it is; `roughness`: roughness_along() the drawing. Refers to the memory and the drawing.
-/// Throws as embed_curves() does, and Cancelled. Cost: sheet_on(), and the first time on a rough
-/// mesh its ground.
+/// A GroundSheet for the corridor on a mesh that is rough along the drawing, else sheet_on() the
+/// mesh. `distance`: a given paper's distance per mesh vertex, used unchanged; `roughness`:
+/// roughness_along() of the drawing. The sheet refers to the memory and the drawing. Throws as
+/// embed_curves() does, and Cancelled. Cost: sheet_on(), and on a rough mesh once smooth_ground().
 std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                  const CurveOptions& options,
                                  std::optional<std::vector<double>> distance, double roughness,
                                  const Progress& progress);
 
-/// Divides faces where the drawing is finer than they are, but for the paper's method, and is
-/// undivided_sheet_for() otherwise. Cost: that of undivided_sheet_for(); of dividing where it is
-/// needed.
+/// A RefinedSheet for the corridor if a face is too large for the drawing, else
+/// undivided_sheet_for(). Cost: undivided_sheet_for(), plus the division of faces if needed.
 std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                 const CurveOptions& options,
                                 std::optional<std::vector<double>> distance,

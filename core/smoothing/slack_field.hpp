@@ -1,4 +1,4 @@
-// A slack field on a mesh gives the corridor another width along each part of a drawing.
+// A slack field on a mesh varies the corridor's width along a drawing.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace talweg {
 
-/// Samples a field on the mesh vertices, linear in each face, at the drawing's points, for
-/// SmoothingOptions::slack_at. Throws Error(kBadUsage) when there is not one value per vertex, or a
-/// value that is used is not finite and >= 0. O(points).
+/// Interpolates a field of slacks per mesh vertex (mesh units, >= 0) at the drawing's points, for
+/// SmoothingOptions::slack_at. Throws Error(kBadUsage) if the number of values is not the number of
+/// vertices, or if a used value is not finite and >= 0. O(points).
 std::vector<double> slack_along(const Surface& surface, const SurfaceCurve& drawn,
                                 std::span<const double> per_vertex);
 

@@ -1,4 +1,4 @@
-// Smoothed curves carry what a report says of them and only their smoothing knows.
+// Smoothed curves carry the values of their report that are known during smoothing only.
 #pragma once
 
 #include <cstddef>
@@ -18,33 +18,32 @@ namespace talweg {
 struct SmoothedCurve {
   SurfaceCurve curve;
   StraightenedPath path;
-  bool has_legs = false;                                  ///< may lead far from its drawing there
-  bool ended_early = false;                               ///< fairing, by a budget
-  double slack = 0;                                       ///< mesh units; 0 without a corridor
-  MeasuredDeviation deviation;                            ///< on the surface where it was smoothed
-  std::vector<std::string> warnings;                      ///< sentences about this curve
-  std::string left_taut;                                  ///< a sentence, where it is, with kinks
+  bool has_legs = false;              ///< the result may be far from the drawing there
+  bool ended_early = false;           ///< a budget ended fairing
+  double slack = 0;                   ///< mesh units; 0 without a corridor
+  MeasuredDeviation deviation;        ///< on the sheet
+  std::vector<std::string> warnings;  ///< sentences about this curve
+  std::string left_taut;              ///< a sentence, if the curve stays taut with kinks
   std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
 };
 
 struct Smoothed {
-  std::vector<SmoothedCurve> curves;  ///< one for each curve of the drawing, in their order
+  std::vector<SmoothedCurve> curves;  ///< one per curve of the drawing, in order
   PotentialKind potential = PotentialKind::kPaper;
   Engine engine = Engine::kFull;
   StraighteningCounts counts;
   double mollification = 0;  ///< mesh units
-  /// The ground on which the curves are fair, where that is not the mesh; else null.
+  /// The smooth ground on which the curves were faired; null for the mesh itself.
   const SurfaceMesh* ground = nullptr;
   std::vector<std::string> warnings;  ///< sentences for the user
-  /// `open`: the time beyond opening the mesh; `measure` that on the surface where it was smoothed;
-  /// the total is not set.
+  /// `open`: the time beyond opening the mesh; `measure`: on the sheet; `total` is not set.
   StageTimes time_ms;
-  /// Whether a result touched the boundary where its part of the surface was cut off: see
-  /// EmbeddedDrawing::Ground.
+  /// Whether straightening touched the boundary where the surface was cut off
+  /// (EmbeddedDrawing::Ground).
   bool at_fence = false;
 };
 
-/// Says in a result what the straightening did that it needed.
+/// Copies the counts and times of a straightening to a result.
 inline void report_straightening(const Straightened& straight, Smoothed& smoothed) {
   for (std::size_t c = 0; c < straight.paths.size(); ++c) {
     smoothed.curves[c].path = straight.paths[c];
@@ -54,7 +53,7 @@ inline void report_straightening(const Straightened& straight, Smoothed& smoothe
   smoothed.at_fence = straight.at_fence;
 }
 
-/// The result of a straightening.
+/// The straightened curves as a result.
 inline Smoothed smoothed_from(Straightened straight) {
   Smoothed smoothed;
   for (SurfaceCurve& curve : straight.curves) {
@@ -64,7 +63,7 @@ inline Smoothed smoothed_from(Straightened straight) {
   return smoothed;
 }
 
-/// Smoothed curves in the order and direction in which the drawing had them.
+/// Smoothed curves converted to the order and direction of the drawn curves.
 inline Smoothed as_drawn(const OrderedDrawing& drawing, Smoothed smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SurfaceCurve& curve = smoothed.curves[c].curve;

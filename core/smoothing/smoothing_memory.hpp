@@ -1,4 +1,4 @@
-// Smoothing on a mesh works in memory of the mesh's size, which is made once and used by every run.
+// The smoothing memory holds the arrays of the mesh's size, which are allocated once for all runs.
 #pragma once
 
 #include <memory>
@@ -30,7 +30,7 @@ class SmoothingMemory {
   [[nodiscard]] const Straightening& straightening() const { return straightening_; }
   StraightLegs& straight_legs() { return straight_legs_; }
   StripCurvature& curvature() { return curvature_; }
-  /// distance() and what follows are made when first needed. O(mesh).
+  /// distance(), meter() and ground() are made on first use. O(mesh).
   PolylineDistance& distance() {
     if (!distance_) distance_.emplace(surface());
     return *distance_;
@@ -39,7 +39,7 @@ class SmoothingMemory {
     if (!meter_) meter_.emplace(mesh());
     return *meter_;
   }
-  /// For smoothing on the mesh's ground. Throws Cancelled.
+  /// The memory for smoothing on the mesh's smooth ground. Throws Cancelled.
   SmoothingMemory& ground(const Progress& progress) {
     if (!ground_) ground_ = std::make_unique<SmoothingMemory>(mesh_->ground(progress));
     return *ground_;

@@ -1,4 +1,5 @@
-// The options of a drawing and of its smoothing have units, ranges and defaults.
+// The smoothing options are the parameters of a drawing and of its smoothing, with units, ranges
+// and defaults.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace talweg {
 
-/// Which potential holds the curve, and which distance it is a function of.
+/// The potential that keeps a curve near its drawing, and the distance in it.
 enum class Method {
   kPaper,     ///< equations 4 to 6 over the heat method's distance on the whole mesh
   kCorridor,  ///< flat within the slack, exact distance in a band, phase for loops
@@ -21,48 +22,49 @@ enum class Method {
 
 /// The options that apply when a curve is set.
 struct CurveOptions {
-  Method method = Method::kCorridor;  ///< also decides which distance is measured
-  double heat_time = 10;              ///< of the distance's heat flow, in units of h²; [1e-3, 1e6]
-  /// Whether the paper's distance, which dominates the cost of setting a curve, is computed when
-  /// the curve is set. Otherwise it is computed when first needed; at tau = 0 it is never needed.
+  Method method = Method::kCorridor;  ///< potential and distance
+  double heat_time = 10;              ///< of the heat method, in units of h²; [1e-3, 1e6]
+  /// Whether the paper's distance, the main cost of setting a curve, is computed when the curve is
+  /// set. Otherwise it is computed on first use; tau = 0 does not use it.
   bool distance_at_once = true;
-  /// Mesh units, > 0: the distance is also smoothed by equation 3, within this radius.
+  /// Mesh units, > 0: if given, the distance is also smoothed by equation 3 within this radius.
   std::optional<double> bump_radius;
   bool cap_corners = true;  ///< as the paper does; affects only curves along mesh edges
   unsigned threads = 2;  ///< at most, for factorising the heat matrices; >= 1; no effect on results
   std::vector<SurfacePoint> pins;  ///< points of the drawing that the result must pass through
-  /// The same, where a fair curve may also turn as sharply as it likes. At pins and way-points that
-  /// are not among these it passes without a kink.
+  /// Points of the drawing that the result must pass through, where a fair curve may have a kink.
+  /// At other pins and way-points it has none.
   std::vector<SurfacePoint> corners;
-  /// Whether fair curves continue each other without a kink where exactly two ends of the set meet
-  /// and nothing else of it passes. False is for a set that is only a part of all curves.
+  /// Whether two fair curves continue each other without a kink where exactly their two ends meet
+  /// and no other curve passes. False is for a set that is only a part of all curves.
   bool join_ends = true;
-  /// For the corridor. Between two of these that follow each other on a curve, the drawing is no
-  /// stroke: it tells only on which side of holes and handles the curve passes. The result is a
-  /// spline there, and tau its tension.
+  /// For the corridor: clicked points that the result must pass. The drawing between two
+  /// consecutive way-points of a curve (a leg) is not a stroke: it defines only the side on which
+  /// the curve passes holes and handles. There the result is a spline with the tension tau.
   std::vector<WayPoint> way_points;
-  /// Way-points that follow each other on a curve at no more than this distance (mesh units, >= 0)
-  /// are one: nobody can have meant more than one. By default an edge of the mesh there, and at
-  /// most a quarter of the median distance between them.
+  /// Mesh units, >= 0: consecutive way-points of a curve within this distance are merged. The
+  /// default is about one edge of the mesh there, and at most a quarter of the median distance
+  /// between consecutive way-points.
   std::optional<double> click_distance;
-  /// Points of the drawing that were painted. Between the two way-points around one of these, the
-  /// drawing is a stroke, as are curves without way-points and the ends before and after these.
+  /// Painted points of the drawing. Between the two way-points around a painted point, the drawing
+  /// is a stroke. Curves without way-points are strokes, and so are ends before the first and after
+  /// the last way-point.
   std::vector<SurfacePoint> painted;
 
   [[nodiscard]] HeatSettings heat() const { return {heat_time, threads, bump_radius}; }
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };
 
-/// What becomes of the corridor's straightened curves.
+/// The finish of the corridor's curves.
 enum class Finish {
-  kTaut,  ///< they stay as FlipOut leaves them
-  kFair,  ///< they bend as little as they can within the corridor
+  kTaut,  ///< straightened curves of FlipOut
+  kFair,  ///< curves that bend as little as possible within the corridor
 };
 
-/// From this tau on a result keeps near its drawing; below it may lead anywhere.
+/// The least tau that keeps a result near its drawing; for a smaller tau it may be anywhere.
 constexpr double kLeastHeldTau = 1.0 / 8;
 
-/// What may differ from curve to curve of a set. What is not given is as for all.
+/// Options of one curve of a set. Values that are not given are those for all curves.
 struct OwnOptions {
   std::optional<double> tau;    ///< [0, infinity)
   std::optional<double> slack;  ///< mesh units, >= 0
@@ -73,39 +75,42 @@ struct OwnOptions {
 
 /// The options that may change from one smooth() to the next.
 struct SmoothingOptions {
-  double tau = 1;  ///< [0, infinity): 0 gives geodesics, more keeps closer to the drawing
+  double tau = 1;  ///< [0, infinity): 0 gives geodesics, larger values stay closer to the drawing
   PotentialOptions potential;   ///< for the paper's method
   std::optional<double> slack;  ///< for the corridor, mesh units, >= 0; see CurveSmoother::slack()
-  /// Unless empty, it replaces `slack`: per drawn curve one value per point, mesh units, >= 0,
-  /// linear in between. See slack_along().
+  /// Unless empty, replaces `slack`: per drawn curve one value per point, mesh units, >= 0, linear
+  /// between points. See slack_along().
   std::vector<std::vector<double>> slack_at;
-  /// For the corridor: unless empty, one for each drawn curve. Curves of different tau do not cross
-  /// either, and each is what it would be if its tau were that of all, as far as the others do not
-  /// touch it.
+  /// For the corridor: unless empty, one entry per drawn curve. Curves of different tau do not
+  /// cross. A curve that others do not touch is the same as if its tau were used for all curves.
   std::vector<OwnOptions> per_curve;
-  int phase_turns = 3;  ///< of the corridor's phase around a loop, at most points / 8; [0, 64]
-  Finish finish = Finish::kFair;  ///< of the corridor's curves; those of tau = 0 are taut
-  int relax_rounds = 0;           ///< rounds of the paper's relaxation; its authors use 5
-  std::optional<std::size_t> max_iterations;  ///< of FlipOut; by default its own bound
-  double min_relative_length = 0;  ///< stop at this fraction of the lifted length; [0, 1)
-  /// A loop shorter than this counts as collapsed. Mesh units; by default 3 mean edges of the drawn
+  int phase_turns =
+      3;  ///< turns of the corridor's phase around a loop, at most points / 8; [0, 64]
+  Finish finish = Finish::kFair;  ///< for the corridor; curves of tau = 0 are taut
+  int relax_rounds = 0;           ///< rounds of the paper's relaxation; the paper uses 5
+  std::optional<std::size_t> max_iterations;  ///< of FlipOut; default: FlipOut's own bound
+  double min_relative_length = 0;  ///< FlipOut stops at this fraction of the lifted length; [0, 1)
+  /// Mesh units, >= 0: a shorter loop counts as collapsed. Default: 3 mean segments of the drawn
   /// loop, at most half of its length.
   std::optional<double> length_floor;
-  /// How the deviation between result and drawing is measured for the report.
+  /// The measure of the deviation between result and drawing in the report.
   DeviationMeasure deviation = DeviationMeasure::kAutomatic;
-  bool prepare_whole_mesh = false;  ///< lay out everything first; slower, same result
-  /// What one call of smooth(), drag() or smooth_within() may use up. When it is used up, fairing,
-  /// the search and the deviation end; the result is the best so far, its `termination` is
-  /// kLimit, and its report says what holds.
+  bool prepare_whole_mesh =
+      false;  ///< compute all lengths and signposts first; slower, same result
+  /// The budget of one call of smooth(), drag() or smooth_within(). When it is used up, fairing,
+  /// the search and measuring end; the result is the best one found, with the termination kLimit
+  /// and warnings about incomplete steps.
   Budget budget;
 
-  /// For one of the curves, in the order in which `per_curve` is.
+  /// The value for one curve; `curve` is an index into `per_curve`.
   [[nodiscard]] double tau_of(std::size_t curve) const;
   [[nodiscard]] std::optional<double> slack_of(std::size_t curve) const;
   [[nodiscard]] Finish finish_of(std::size_t curve) const;
-  /// The options of one of the curves as those of all; without slack_at.
+  /// The options for smoothing one curve alone, with its tau, slack and finish; without slack_at
+  /// and per_curve.
   [[nodiscard]] SmoothingOptions of(std::size_t curve) const;
-  /// What `deviation` means for the tau of one of the curves.
+  /// The measure for one curve: kAutomatic is kAlongSurface if the curve's tau is at least
+  /// kLeastHeldTau.
   [[nodiscard]] DeviationMeasure deviation_measure(std::size_t curve) const;
   void validate() const;  ///< throws Error(kBadUsage) naming the field and its bound
 };

@@ -61,14 +61,14 @@ void warn_of_crossings(SmoothingReport& report) {
   }
 }
 
-/// The deviation that deserves a warning, mesh units. A drawing that is finer than the mesh's edges
-/// cannot be judged by their length.
+/// The deviation above which a warning is given, mesh units: three edges, or on a refined mesh,
+/// whose drawing is finer than the edges, four slacks.
 double far_from(double slack, double edge, Engine engine) {
   constexpr double kFarInSlacks = 4;
   return engine == Engine::kRefined ? kFarInSlacks * slack : kFarInEdges * edge;
 }
 
-/// The measures of turning on the ground, with the length on the mesh.
+/// The measures on the smooth ground, with the length on the mesh.
 CurveMeasures turns_as_on(const CurveMeasures& on_mesh, CurveMeasures on_ground) {
   on_ground.length = on_mesh.length;
   return on_ground;

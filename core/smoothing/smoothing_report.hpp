@@ -1,4 +1,4 @@
-// The report on a smoothing is made once, at the end, on the mesh that was given.
+// The smoothing report is made once, at the end, on the given mesh.
 #pragma once
 
 #include "talweg/core/measure/surface_deviation.hpp"
@@ -10,18 +10,18 @@
 
 namespace talweg {
 
-/// The smoothed curves, which are on the mesh, with a report on each, in the drawing's order. The
-/// total is left to the caller.
+/// The smoothed curves, which must be on the mesh, with a report on each, in the drawing's order.
+/// The total is not set.
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, Smoothed smoothed);
 
-/// The drawing as it was drawn, with reports that say that it was not smoothed. The options are
-/// those for the curves as drawn.
+/// The result of a cancelled smoothing: the drawn curves, with the termination kCancelled.
+/// `options` are for the curves in drawn order.
 SmoothingResult cancelled_result(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                  const SmoothingOptions& options);
 
-/// The report on a curve of which a part is being dragged: its measures are new, the rest is as in
-/// `before`. The options are those of this curve. Throws Cancelled.
+/// The report on a curve while a part of it is dragged: measures are new, other values are those of
+/// `before`. `options` are those of this curve (SmoothingOptions::of()). Throws Cancelled.
 SmoothingReport preview_report(const SurfaceMesh& mesh, DeviationMeter& meter,
                                const SurfaceCurve& drawn, const SurfaceCurve& result,
                                const SmoothingOptions& options, const SmoothingReport& before,

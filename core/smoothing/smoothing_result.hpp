@@ -1,4 +1,4 @@
-// A smoothing result is the smoothed curves and a report on each.
+// A smoothing result has the smoothed curves and a report on each.
 #pragma once
 
 #include <utility>
@@ -9,10 +9,10 @@
 
 namespace talweg {
 
-/// What smooth() returns. Keep it as long as references into it are used.
+/// The result of smooth(). References into the result are valid as long as it lives.
 struct SmoothingResult {
-  std::vector<SurfaceCurve> curves;      ///< one per drawn curve, in their order
-  std::vector<SmoothingReport> reports;  ///< one per curve, in their order
+  std::vector<SurfaceCurve> curves;      ///< one per drawn curve, in drawn order
+  std::vector<SmoothingReport> reports;  ///< one per curve, in drawn order
   SmoothingReport total;                 ///< of all curves
 
   /// The first curve, or the only one.

@@ -1,4 +1,4 @@
-// An undivided sheet has the faces of its mesh as they are: the whole mesh, or strips of it.
+// An undivided sheet has undivided faces of its mesh: the whole mesh, or strips of it.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace talweg {
 
-/// Unrolls curves that cross themselves or each other, and takes the mesh as it is otherwise.
-/// `fence`: for a part of a mesh, see EmbeddedDrawing::Ground; null for none. `distance`: the
-/// paper's distance per mesh vertex, used as it is. Refers to the memory and the drawing. Throws as
-/// embed_curves() does, and Cancelled. Cost: that of embedding the curves and of path_contacts();
-/// of unrolling where it is needed, after which they are embedded again.
+/// An UnrolledSheet for curves that cross themselves or each other, else a WholeSheet. Crossing
+/// curves that consist of legs only also get a WholeSheet. `fence`: for a part of a mesh
+/// (EmbeddedDrawing::Ground), or null. `distance`: a given paper's distance per mesh vertex, used
+/// unchanged. The sheet refers to the memory and the drawing. Throws as embed_curves() does, and
+/// Cancelled. Cost: embedding and path_contacts(), plus unrolling and embedding again if needed.
 std::unique_ptr<Sheet> undivided_sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                            const CurveOptions& options,
                                            const std::vector<bool>* fence,

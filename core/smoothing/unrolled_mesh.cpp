@@ -16,26 +16,27 @@ namespace {
 
 constexpr std::uint32_t kOpen = 0xFFFFFFFFU;
 constexpr std::size_t kOfUnrolledFace = 8;  // units of work
-constexpr double kStraighter = 0.8;         // a way across faces, beside one along edges
+constexpr double kStraighter = 0.8;  // length of a way across faces, relative to a way along edges
 
-/// A strip of copies of faces. Corner 3 c + k is corner k of copy c; side 3 c + k runs from there
-/// to the next corner of the copy.
+/// A strip of copies of faces. Corner 3 c + k is corner k of copy c; side 3 c + k leads from this
+/// corner to the next corner of the copy.
 class Strip {
  public:
   Strip(const Surface& surface, Asker& asker) : surface_(surface), asker_(asker) {}
 
-  /// False where a closed curve's strip does not come back to its first copy, wherever it starts.
+  /// Lays copies of faces along a curve. False if the strip of a closed curve does not return to
+  /// its first copy from any of the tried starts.
   bool lay_along(const SurfaceCurve& curve);
   void grow(double reach);
 
   [[nodiscard]] std::span<const FaceId> faces() const { return faces_; }
   [[nodiscard]] std::span<const std::uint32_t> across() const { return across_; }
-  /// For each segment of the curve the copy that it lies in.
+  /// Per segment of the curve, its copy.
   [[nodiscard]] std::span<const std::uint32_t> copies_along() const { return along_; }
-  /// See UnrolledMesh.
+  /// UnrolledMesh::near and may_grow of this strip.
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] bool may_grow() const { return may_grow_; }
-  /// Whether these corners, all of them at one vertex, are farther from the curve than that.
+  /// Whether corners at one vertex are all farther from the curve than near().
   [[nodiscard]] bool is_at_cut(std::span<const std::uint32_t> corners) const {
     return std::all_of(corners.begin(), corners.end(),
                        [&](Index corner) { return distance_[corner] > near_; });
@@ -62,11 +63,12 @@ class Strip {
     across_[b] = a;
   }
   [[nodiscard]] std::size_t degree(VertexId v) const;
-  /// The copies around one corner, and the open sides at which they end unless they go all around.
+  /// The copies around one corner, and the open sides at the two ends of the fan; kOpen for a
+  /// closed fan.
   struct Fan {
     std::size_t count = 0;
-    Index clockwise = kOpen;  // an outgoing side
-    Index counter = kOpen;    // an incoming one
+    Index clockwise = kOpen;  // side that leaves the corner
+    Index counter = kOpen;    // side that ends at the corner
   };
   [[nodiscard]] Fan fan_at(Index corner) const;
   bool close_at(Index side, bool at_tail);
@@ -86,10 +88,10 @@ class Strip {
   Asker& asker_;
   std::vector<FaceId> faces_;
   std::vector<Index> across_;
-  std::vector<Index> older_;                       // per copy: the one before it of its face
-  std::unordered_map<std::size_t, Index> newest_;  // per face that has any: its last copy
-  std::vector<double> place_;                      // per copy: where on the curve it is nearest
-  double length_ = 0, here_ = 0;                   // of the curve; where copies are added now
+  std::vector<Index> older_;                       // per copy, the previous copy of its face
+  std::unordered_map<std::size_t, Index> newest_;  // per face with copies, its last copy
+  std::vector<double> place_;     // per copy, the arc length of the curve that it belongs to
+  double length_ = 0, here_ = 0;  // of the curve; arc length for new copies
   bool closed_ = false;
   std::vector<Index> along_;
   std::vector<double> distance_;  // from the curve, per corner of a copy
@@ -123,14 +125,14 @@ std::size_t Strip::degree(VertexId v) const {
 Strip::Fan Strip::fan_at(Index corner) const {
   Fan fan{1, kOpen, kOpen};
   Index at = corner;
-  while (across_[prev(at)] != kOpen) {  // counterclockwise, over the incoming side
+  while (across_[prev(at)] != kOpen) {  // counterclockwise, across the incoming side
     at = across_[prev(at)];
     if (at == corner) return fan;
     ++fan.count;
   }
   fan.counter = prev(at);
   at = corner;
-  while (across_[at] != kOpen) {  // clockwise, over the outgoing side
+  while (across_[at] != kOpen) {  // clockwise, across the outgoing side
     at = next(across_[at]);
     ++fan.count;
   }
@@ -138,8 +140,8 @@ Strip::Fan Strip::fan_at(Index corner) const {
   return fan;
 }
 
-/// Whether two open sides of one edge can be joined without turning around an end of the edge
-/// farther than the mesh does.
+/// Whether two open sides of one edge can be joined without more copies around an end of the edge
+/// than the mesh has faces there.
 bool Strip::may_join(Index a, Index b) const {
   const auto fits = [&](Index p, Index q) {  // corners at the same vertex
     const Fan one = fan_at(p), other = fan_at(q);
@@ -150,7 +152,8 @@ bool Strip::may_join(Index a, Index b) const {
   return fits(a, next(b)) && fits(next(a), b);
 }
 
-/// Joins a side with the other end of the fan around its tail or head if both are the same edge.
+/// Joins a side with the open side at the other end of the fan around its tail or head, if both are
+/// sides of the same edge. Tells whether they were joined.
 bool Strip::close_at(Index side, bool at_tail) {
   const Fan fan = fan_at(at_tail ? side : next(side));
   const Index other = at_tail ? fan.counter : fan.clockwise;
@@ -160,10 +163,10 @@ bool Strip::close_at(Index side, bool at_tail) {
   return true;
 }
 
-/// Joins a side with one of another copy, both as far out as the strip has grown, where the ways
-/// from there back to the curve end near each other on it. Such copies have met around a handle of
-/// the surface, or a tube, and not because the curve comes back. Without it, a strip beside small
-/// handles would grow exponentially with its reach.
+/// Joins a side with an open side of another copy if the ways from both back to the curve end near
+/// each other on the curve. Such copies meet around a handle or a tube of the surface, not because
+/// the curve comes back. Without this joining, a strip beside small handles would grow
+/// exponentially with its reach. Tells whether sides were joined.
 bool Strip::join_around_handle(Index side) {
   const HalfedgeId h = twin(halfedge(side));
   const auto found = newest_.find(surface_.face(h).index());
@@ -181,7 +184,8 @@ bool Strip::join_around_handle(Index side) {
   return false;
 }
 
-/// The side beyond this one; adds a copy of the face there if none is joined yet.
+/// The side across a side; adds a copy of the face there if none is joined. `at_tail`, `at_head`:
+/// whether to try close_at() first. kOpen at the boundary.
 Strip::Index Strip::cross(Index side, bool at_tail, bool at_head) {
   if (across_[side] != kOpen) return across_[side];
   const HalfedgeId h = twin(halfedge(side));
@@ -192,10 +196,10 @@ Strip::Index Strip::cross(Index side, bool at_tail, bool at_head) {
   return across_[side];
 }
 
-/// Goes from `copy` to a copy of face `to`, turning the shorter way around a point that both
-/// contain. Must arrive at the copy `last` unless that is open.
+/// Goes from `copy` to a copy of face `to`, the shorter way around a point of both faces. Unless
+/// `last` is kOpen, the way must end at copy `last`.
 bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last) {
-  const auto arrive = [&](Index side, bool at_tail) {  // over the last side
+  const auto arrive = [&](Index side, bool at_tail) {  // across the last side
     const HalfedgeId h = twin(halfedge(side));
     if (last != kOpen && across_[side] == kOpen) {
       const Index other = side_of(last, h);
@@ -217,7 +221,7 @@ bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last)
   if (v == nullptr) return false;
   Index corner = 3 * copy;
   while (surface_.tail(halfedge(corner)) != v->vertex) ++corner;
-  // How many faces away `to` is in either direction.
+  // The number of faces up to `to`, counterclockwise or clockwise.
   const auto steps = [&](bool counter) {
     std::size_t count = 0;
     HalfedgeId h = halfedge(corner);
@@ -246,13 +250,13 @@ bool Strip::walk(const SurfacePoint& around, Index& copy, FaceId to, Index last)
   return false;
 }
 
-/// The face that each segment lies in.
+/// Per segment, its face.
 std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
   std::vector<FaceId> faces;
   for (std::size_t i = 0; i < segments; ++i) {
     const SurfacePoint &p = curve.points[i], &q = curve.points[(i + 1) % n];
-    // Stay where the last segment was, if that face has this one too.
+    // Prefers the face of the previous segment.
     FaceId face = faces.empty() ? FaceId{} : faces.back();
     const auto has = [&](const SurfacePoint& point) {
       const std::vector<FaceId> at = faces_at(surface_, point);
@@ -264,7 +268,7 @@ std::vector<FaceId> Strip::faces_along(const SurfaceCurve& curve) const {
   return faces;
 }
 
-/// Where on the curve each segment begins, and the curve's length.
+/// The arc length at the beginning of each segment; then the length of the curve.
 std::vector<double> Strip::arcs_along(const SurfaceCurve& curve) const {
   const std::size_t n = curve.points.size(), segments = n - (curve.closed ? 0 : 1);
   std::vector<double> arcs{0};
@@ -275,8 +279,8 @@ std::vector<double> Strip::arcs_along(const SurfaceCurve& curve) const {
   return arcs;
 }
 
-/// The segments at which a closed strip may be closed: those where the curve enters another face.
-/// Closing does not succeed where the curve only dips into a face and comes back, so several
+/// The segments where laying may start. A closed strip must start where the curve enters another
+/// face. Closing fails at a face that the curve enters and leaves across the same edge, so several
 /// segments, far apart, are returned.
 std::vector<std::size_t> Strip::starts_of(const SurfaceCurve& curve,
                                           std::span<const FaceId> faces) {
@@ -323,7 +327,7 @@ bool Strip::lay_along(const SurfaceCurve& curve) {
     return false;
   }
   const std::size_t n = curve.points.size(), segments = faces.size();
-  // First add all faces around the curve's own vertices, one vertex at a time.
+  // Completes the faces around the curve's vertices, one vertex at a time.
   for (std::size_t i = 0; i < segments; ++i) {
     here_ = arcs[i];
     for (const std::size_t end : {i, (i + 1) % n}) {
@@ -352,8 +356,8 @@ void Strip::complete_around(Index corner) {
 }
 
 void Strip::grow(double reach) {
-  // Around handles and holes a covering grows without end, and a face of a strip takes up to 2 KB
-  // in the end, hence the limits; nearer faces come first.
+  // Around handles and holes a covering grows without end, and a face of a strip takes up to 2 KB,
+  // hence the limits; nearer faces are added first.
   constexpr std::size_t kMost = 1'000'000;
   const std::size_t most =
       std::min(2 * surface_.face_count() + 32 * faces_.size(), std::max(kMost, 2 * faces_.size()));
@@ -375,7 +379,7 @@ void Strip::grow(double reach) {
     const HalfedgeId h = halfedge(side);
     if (fan_at(side).count >= degree(surface_.tail(h)) ||
         fan_at(next(side)).count >= degree(surface_.head(h))) {
-      continue;  // joining here would turn around the vertex once more
+      continue;  // a copy here would turn around the vertex a second time
     }
     if (near > reach || faces_.size() >= most) {
       near_ = kStraighter * std::min(near, reach);
@@ -397,7 +401,7 @@ void Strip::grow(double reach) {
   }
 }
 
-/// Whether two triangles have the same side in the same direction.
+/// Whether two triangles have a common directed side.
 bool has_repeated_side(std::span<const Triangle> triangles) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (const Triangle& t : triangles) {
@@ -407,14 +411,15 @@ bool has_repeated_side(std::span<const Triangle> triangles) {
   return std::adjacent_find(sides.begin(), sides.end()) != sides.end();
 }
 
-/// Adds the copies of a strip, with one vertex for each fan. False, and nothing is added, if they
-/// are no valid mesh: a strip that turns around two neighbouring vertices more than once has
-/// several edges between them.
+/// Appends the copies of a strip, with one vertex per fan. False, without a change, if the strip is
+/// not a valid mesh: a strip that turns around two neighbouring vertices more than once has several
+/// edges between them.
 bool append(const SurfaceMesh& mesh, const Strip& strip, UnrolledMesh& result) {
   const std::size_t vertices = result.vertex_of.size(), faces = result.face_of.size();
   const auto across = strip.across();
   constexpr std::uint32_t kNone = kOpen;
-  std::vector<std::uint32_t> vertex(across.size(), kNone), fan;  // per corner; corners
+  std::vector<std::uint32_t> vertex(across.size(), kNone),
+      fan;  // vertex per corner; corners of a fan
   const auto next = [](std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; };
   const auto prev = [](std::uint32_t side) { return side % 3 == 0 ? side + 2 : side - 1; };
   for (std::uint32_t corner = 0; corner < across.size(); ++corner) {
@@ -468,8 +473,7 @@ void append_whole(const SurfaceMesh& mesh, UnrolledMesh& result) {
   }
 }
 
-/// Converts a point of one face to the same point of another face with the same corners; `from` and
-/// `to` are the faces' first halfedges.
+/// Converts a point of one face to the same point of a copy of this face on another surface.
 SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfacePoint& point,
                    const Surface& to_surface, FaceId to_face) {
   if (const auto* inside = std::get_if<InFace>(&point.where())) {
@@ -488,7 +492,8 @@ SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfaceP
       return SurfacePoint::at_vertex(to_surface, to_surface.head(halfedge_of(edge_of(g))));
     }
   }
-  return SurfacePoint::in_face(to_surface, to_face, {1, 0, 0});  // throws: not in that face
+  return SurfacePoint::in_face(to_surface, to_face,
+                               {1, 0, 0});  // throws: the point is not in the face
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace talweg {
 namespace {
 
-constexpr std::size_t kFewFaces = 200'000;  // on a strip, for the exact distances of a second
+constexpr std::size_t kFewFaces = 200'000;  // of strips: exact distances then take about a second
 
 std::string limited_to(double distance) {
   return fmt::format(
@@ -36,7 +36,7 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
       alone_(alone),
       lift_(memory.opened(), memory.straightening()) {
   const Stopwatch watch;
-  // Crossings of each curve with itself and with those drawn after it.
+  // The crossings of each curve with itself and with later curves, in drawn order.
   Straightening& straightening = memory.straightening();
   const std::vector<EdgePath> paths = drawing.in_drawn_order(straightening.paths());
   crossings_ = path_contacts(straightening.triangulation(), paths).crossings;
@@ -53,10 +53,10 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
   add_strips(progress);
 }
 
-/// How far the first strips reach: as far as results mostly come. Later ones reach twice as far
-/// each time, until a result stays inside. Below tau = 1/8 it may lead anywhere, and its exact
-/// distances cost far more than the strip; so it is held where the strip has many faces. Legs need
-/// no distances.
+/// Sets the reach of the first strips, which contains most results, and the largest number of
+/// faces. Later strips have twice the reach each, until a result stays inside. For tau < 1/8 a
+/// result may be anywhere, and exact distances cost far more than the strips, so the number of
+/// faces is limited; the limit is larger if all curves are legs, which need no distances.
 void UnrolledSheet::set_reach() {
   constexpr double kOfSlack = 2, kOfEdge = 6;
   const Surface& surface = memory_->surface();
@@ -91,7 +91,7 @@ std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
   return strips;
 }
 
-/// Opens the rings whose ends lie on a spike, which has gone. Returns whether there are such.
+/// Opens the rings whose ends were on a spike that has been erased. Tells whether there are any.
 bool UnrolledSheet::open_lost_rings(Strips& strips) const {
   const Straightening& straightening = strips.memory->straightening();
   bool any = false;
@@ -158,7 +158,7 @@ SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOption
   return strips.drawing.ordered(std::move(options));
 }
 
-/// Results on the strips in the order of the drawing; rings are open again.
+/// Results on the strips with rings opened again at their ends.
 Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     if (!strips.is_ring[c]) continue;
@@ -181,7 +181,7 @@ std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPo
   return copies;
 }
 
-/// Of the drawing's points on the strips.
+/// The copies of the drawing's points on the strips.
 PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
   PointCopies copies;
   for (std::size_t c = 0; c < strips.drawn.size(); ++c) {
@@ -209,7 +209,7 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
     if (k == strips_.size()) add_strips(progress);
     const Strips& strips = *strips_[k];
     SmoothingOptions own = options_on(strips, options);
-    own.prepare_whole_mesh = false;  // only what is touched decides
+    own.prepare_whole_mesh = false;  // only touched faces matter
     Smoothed result = curves_on(strips, own, given, progress);
     const bool leaves = may_leave(strips.mesh.at_cut, strips.memory->surface(), result);
     const auto may_grow_to = [&](std::size_t faces) {
@@ -227,7 +227,7 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
   }
 }
 
-/// The result on the strips, not yet measured.
+/// The result on the strips, without its deviation.
 Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& options,
                                   const GivenPotential* given, const Progress& progress) {
   if (given == nullptr) return strips.sheet->curves(options, nullptr, progress);
@@ -236,8 +236,8 @@ Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& 
   return strips.sheet->curves(options, &there, progress);
 }
 
-/// Ways from the drawing that are longer than those on the strips for sure might be shorter on
-/// strips that reach farther. Returns whether there are such.
+/// Replaces a deviation beyond UnrolledMesh::near by bounds: the distance could be shorter on
+/// strips with a longer reach. Tells whether there is any.
 bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
   bool any = false;
   for (SmoothedCurve& curve : result.curves) {
@@ -252,7 +252,7 @@ bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
   return any;
 }
 
-/// Sets L to its value on the whole mesh.
+/// Options of the paper's method with L of the whole mesh.
 SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& options) const {
   double drawn_length = 0;
   for (const CurveMeasures& m : drawing_->measures()) drawn_length += m.length;
@@ -268,8 +268,7 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
   return own;
 }
 
-/// One sentence for each pin that no result passes because it lies on a spike or a curl that was
-/// removed.
+/// A sentence for each pin that no result passes, because it is on a spike or loop that was erased.
 std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
@@ -278,7 +277,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
   PointLookup passed;
   for (const SmoothedCurve& curve : smoothed.curves) passed.add_all(curve.curve.points);
   for (const SurfacePoint& pin : pins) {
-    if (passed.contains(pin)) continue;  // nearly all are
+    if (passed.contains(pin)) continue;  // nearly all pins
     const auto passes = [&](const SurfacePoint& p) {
       const FaceId face = common_face(surface, pin, p);
       return face.valid() && distance_in_face(surface, coordinates_in(surface, pin, face),
@@ -301,7 +300,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
   return sentences;
 }
 
-/// Moves results from the strips back to the mesh.
+/// Converts results from the strips to the mesh.
 Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Progress& progress) {
   smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
@@ -315,7 +314,7 @@ Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Pr
     smoothed.curves[c].crossings_before = crossings_[drawing_->numbers()[c]];
     smoothed.curves[c].crossings_after = after[drawing_->numbers()[c]];
   }
-  smoothed.at_fence = false;  // the last strips' cut is as far as the result can come
+  smoothed.at_fence = false;  // no larger strips follow
   smoothed.mollification = lift_.mollification();
   const std::vector<std::string> of_lift = lift_.warnings();
   smoothed.warnings.insert(smoothed.warnings.end(), of_lift.begin(), of_lift.end());

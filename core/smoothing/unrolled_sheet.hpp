@@ -1,4 +1,5 @@
-// The unrolled sheet has strips of surface for curves that cross, on which they do not.
+// The unrolled sheet has strips of surface for crossing curves; on the strips the curves do not
+// cross.
 #pragma once
 
 #include <memory>
@@ -14,15 +15,15 @@
 
 namespace talweg {
 
-/// Each curve is smoothed separately. The corridor's distance is to the curve's own part on its
-/// strip; the paper's distance is that on the mesh. In the corridor an open curve that ends where
-/// it begins is smoothed as a loop that is pinned there, so that it closes without a kink. Cost:
-/// that of WholeSheet on strips that reach twice as far each time, up to where the result does not
-/// leave them. Worse: pins that are lost are compared with all points of the results.
+/// Curves are smoothed separately. The corridor's distance is to the curve's own part on its strip;
+/// the paper's distance is the distance on the mesh. In the corridor, an open curve that ends at
+/// its first point (a ring) is smoothed as a closed curve that is pinned there, so that it closes
+/// without a kink. Cost: WholeSheet on strips of doubled reach, until the result does not leave the
+/// strips. Lost pins are compared with all points of the results.
 class UnrolledSheet final : public Sheet {
  public:
-  /// Takes a drawing that is embedded in the memory's triangulation out of it. `alone`: per curve
-  /// whether it needs a strip of its own. `distance`: for the paper's method, if it was given.
+  /// Clears the memory's straightening, in which the drawing must be embedded. `alone`: per curve,
+  /// whether it needs a separate strip. `distance`: for the paper's method, if given.
   UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
                 const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
                 const Progress& progress);
@@ -34,10 +35,10 @@ class UnrolledSheet final : public Sheet {
   [[nodiscard]] std::span<const double> distance() const override { return lift_.distance(); }
 
  private:
-  /// The strips up to some reach, and the curves on them.
+  /// Strips of one reach, and the curves on them.
   struct Strips {
-    std::vector<SurfaceCurve> drawn;  ///< as they are unrolled
-    std::vector<bool> is_ring;        ///< of these, whether they were drawn open
+    std::vector<SurfaceCurve> drawn;  ///< the curves that are unrolled; rings are closed
+    std::vector<bool> is_ring;        ///< per curve, whether it is a ring
     UnrolledMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;
     OrderedDrawing drawing;
@@ -68,13 +69,13 @@ class UnrolledSheet final : public Sheet {
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;
   CurveOptions options_;
-  std::vector<bool> alone_;  // per drawn curve: whether it needs a strip of its own
+  std::vector<bool> alone_;  // per curve, whether it needs a separate strip
   PaperLift lift_;
-  std::vector<SurfaceCurve> curves_;    // those that may be rings are closed
-  std::vector<bool> is_ring_;           // of these, whether they were drawn open
-  std::vector<std::size_t> crossings_;  // of the drawing, per drawn curve
+  std::vector<SurfaceCurve> curves_;    // the drawing with rings closed
+  std::vector<bool> is_ring_;           // per curve, whether it is a ring
+  std::vector<std::size_t> crossings_;  // of the drawing, per curve in drawn order
   double reach_ = 0;                    // of the next strips, mesh units
-  std::size_t most_faces_ = 0;          // of strips that are followed by larger ones
+  std::size_t most_faces_ = 0;          // larger strips are made only up to this number
   std::vector<std::unique_ptr<Strips>> strips_;
   double solve_ms_ = 0;
 };

@@ -28,7 +28,7 @@ bool WholeSheet::let_cross(std::size_t crossings, const Progress& progress) {
 void WholeSheet::count_crossings(Smoothed& result, const Progress& progress) {
   const OrderedDrawing& drawing = drawing_.drawing();
   Straightening& straightening = memory_->straightening();
-  straightening.clear();  // of legs, which are embedded one by one
+  straightening.clear();  // removes embedded legs
   if (crossings_.empty()) crossings_ = straightening.crossings_of(drawing.drawn(), progress);
   std::vector<SurfaceCurve> curves;
   for (const SmoothedCurve& curve : result.curves) curves.push_back(curve.curve);
@@ -80,7 +80,7 @@ Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotentia
 
 Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotential* given,
                             const Progress& progress) {
-  // Nothing holds legs, and those that cross are never straightened together.
+  // A given potential has no effect on crossing legs, which are never straightened together.
   const bool lifted = given != nullptr && !drawing_.may_cross();
   Smoothed result = lifted      ? smooth_in(drawing_, *given, options, progress)
                     : corridor_ ? corridor_->smooth(options, progress)
@@ -97,7 +97,7 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
   return result;
 }
 
-/// Told here, since a corridor's trials look for other warnings.
+/// Warns if the distance was exact only within less than the slack.
 void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
   const double exact = memory_->distance().exact_within();
   double slack = 0;

@@ -1,4 +1,4 @@
-// The whole sheet is the mesh as it is.
+// The whole sheet is the mesh itself.
 #pragma once
 
 #include <optional>
@@ -12,26 +12,24 @@
 
 namespace talweg {
 
-/// The drawing smoothed on the mesh itself. Cost: that of its method, and of measuring the
-/// deviation.
+/// Smooths a drawing on the mesh itself. Cost: its method, and measuring of the deviation.
 class WholeSheet final : public Sheet {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.
   WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
              EmbeddedDrawing::Ground ground, const Progress& progress);
 
-  /// Lets curves cross that cross as drawn, so often in all, if they are all legs: see
-  /// EmbeddedDrawing. False, and nothing changes, where that is not possible.
+  /// EmbeddedDrawing::let_legs_cross(); false for the paper's method.
   bool let_cross(std::size_t crossings, const Progress& progress);
-  /// Computes what the method needs at once: the corridor's distance and valleys, or the paper's
-  /// distance.
+  /// Computes the corridor's distance and valleys, or the paper's distance if distance_at_once is
+  /// set.
   void solve(const Progress& progress);
-  /// Sets a distance for the paper's method; it must have been checked.
+  /// Sets a distance for the paper's method, checked by PaperLift::check().
   void set_distance(std::vector<double> distance);
 
   Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
                   const Progress& progress) override;
-  /// The two parts of smooth(): the result, and what is measured of it.
+  /// The two parts of smooth(): the curves, and their deviation.
   Smoothed curves(const SmoothingOptions& options, const GivenPotential* given,
                   const Progress& progress);
   void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
@@ -50,9 +48,9 @@ class WholeSheet final : public Sheet {
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;
-  std::optional<CorridorMethod> corridor_;  // either this or the paper's method
+  std::optional<CorridorMethod> corridor_;  // one of corridor_ and paper_
   std::optional<PaperMethod> paper_;
-  std::vector<std::size_t> crossings_;  // of each drawn curve, where they may cross
+  std::vector<std::size_t> crossings_;  // per drawn curve, if legs may cross
   double solve_ms_ = 0;
 };
 

@@ -27,7 +27,7 @@ const AttributeColumn& column(const std::vector<AttributeColumn>& columns, const
   return columns.front();
 }
 
-/// A square of two triangles in text, with what a PLY file may hold.
+/// A square of two triangles as text, with all kinds of PLY attributes.
 const char* const kPly = R"(ply
 format ascii 1.0
 comment TextureFile skin.png
@@ -192,7 +192,7 @@ TEST_F(AttributeTransfer, InterpolatesRoundsNormalisesAndTakesTheNearest) {
     EXPECT_NEAR(std::hypot(at("nx"), at("ny"), at("nz")), 1, 1e-15);
     EXPECT_EQ(at("label"), p.x() == 1 ? 8 : -7);  // nearest are 0, 0 and 1
     if (p.x() == 1) {
-      EXPECT_TRUE(std::isnan(at("quality")));  // vertex 1 has none
+      EXPECT_TRUE(std::isnan(at("quality")));  // vertex 1 has no value
       // (0, 0.6, 0.8) and (0, 0, 1) at a quarter.
       EXPECT_NEAR(at("ny") / at("nz"), 0.45 / 0.85, 1e-15);
     } else {
@@ -217,7 +217,7 @@ TEST_F(AttributeTransfer, LidsAreWhiteAndZero) {
   EXPECT_EQ(column(part.faces, "region").values, (std::vector<double>{5, 0}));
   EXPECT_EQ(column(part.faces, "red").values, (std::vector<double>{78, 255}));
   EXPECT_EQ(part.texture.corners[1][0], CornerAttribute::kNone);
-  EXPECT_EQ(part.texture.values.size(), 6U);  // the others are used by no face
+  EXPECT_EQ(part.texture.values.size(), 6U);  // no face uses the other values
 }
 
 TEST_F(AttributeTransfer, GoesThroughPlyFilesUnchanged) {
@@ -267,7 +267,7 @@ TEST_F(AttributeTransfer, ObjNamesGoThroughACut) {
   const SurfaceMesh mesh = SurfaceMesh::open(read_mesh("square.obj", text, a));
   const CutMesh cut = cut_in_the_middle(mesh);
   const MeshAttributes now = carried_to(cut, mesh.surface(), a);
-  // A normal of its own for the new vertex on the diagonal on either side of the crease.
+  // The new vertex on the diagonal has a separate normal on either side of the crease.
   EXPECT_EQ(now.normals.values.size(), 3U * (2 + 4));
   EXPECT_TRUE(write_mesh(file("cut.obj"), cut.lists, now).empty());
   const std::string written = bytes_of(file("cut.obj"));
@@ -317,7 +317,7 @@ TEST_F(AttributeTransfer, RefusesOtherNumbersOfThings) {
 TEST(TaggedEdges, AreThoseOfTheChainsOnBothSidesOfASeam) {
   const MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain chains[] = {{false, {44, 45, 46}}, {false, {46, 57}}};
-  // Origins of a mesh whose vertices lie at these of the chains' mesh.
+  // Origins of a mesh whose vertices are copies of the vertices `vertex_from` of the chains' mesh.
   const auto curves_of = [&](const std::vector<std::uint32_t>& vertex_from) {
     std::vector<PartOrigins::Curve> curves;
     for (const CutMesh::Chain& chain : chains) {

@@ -1,4 +1,5 @@
-// Whether curves separate a mesh, and what is said of those that do not; from drawing to parts.
+// Separation of a mesh by curves, the sentences about curves that do not separate, and the way from
+// drawing to parts.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -107,7 +108,7 @@ TEST(CurveSeparation, AHoleIsABorder) {
   const SurfaceMesh mesh = SurfaceMesh::open(disc_with_hole());
   // Beside the hole, from a border to itself.
   EXPECT_EQ(parted(mesh, {through(mesh, {7, 8, 9, 10, 11, 12, 13})}).pieces, 2U);
-  // From the left border to the hole, and on from there.
+  // From the left border to the hole, and from the hole on.
   const SurfaceCurve left = through(mesh, {21, 22, 23}), right = through(mesh, {25, 26, 27});
   EXPECT_EQ(parted(mesh, {left}).separates, std::vector<bool>{false});
   const MeshParts both = parted(mesh, {left, right});

@@ -1,4 +1,4 @@
-// A plan says what a cut changes, and costs nothing of the rest of the mesh.
+// A plan lists the changes of a cut; its cost does not grow with the rest of the mesh.
 #include "talweg/core/cutting/cut_plan.hpp"
 
 #include <string>
@@ -50,7 +50,7 @@ TEST(CutPlan, OfACurveAlongEdgesHasOnlyAChain) {
 
 class CutPlanResolution : public testing::Test {
  protected:
-  /// How many points are merged, and how far, in squares of side 10.
+  /// Numbers and distances of merged points, in squares of side 10.
   CutPlan plan(const SurfacePoint& point, double resolution) {
     SurfaceCurve curve;
     curve.points = {point};

@@ -1,4 +1,4 @@
-// Cutting tells how far it is, can be cancelled at any question, and copies no more than it must.
+// Cutting reports its progress, can be cancelled at any question, and makes no needless copies.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,7 +20,7 @@ namespace {
 struct CutProgress : ::testing::Test {
   static constexpr std::size_t kAll = SIZE_MAX;
 
-  /// Cuts and says yes to so many questions.
+  /// Cuts, and answers `yes` questions with yes, then with no.
   CutMesh cut(std::size_t yes) {
     fractions.clear();
     return cut_along(mesh, {&curve, 1}, {}, [&](const char* stage, double fraction) {
@@ -36,7 +36,7 @@ struct CutProgress : ::testing::Test {
           .join(std::vector<SurfacePoint>{test::between(mesh.surface(), 0, 1, 0.3),
                                           test::between(mesh.surface(), 40399, 40400, 0.6)},
                 false);
-  std::vector<double> fractions;  // that the last cut told
+  std::vector<double> fractions;  // of the last cut
 };
 
 TEST_F(CutProgress, RisesFrom0To1AndChangesNothing) {
@@ -55,11 +55,11 @@ TEST_F(CutProgress, IsCancelledAtAnyQuestion) {
   const std::size_t all = fractions.size();
   for (std::size_t yes = 0; yes < all; ++yes) {
     EXPECT_THROW(cut(yes), Cancelled);
-    EXPECT_EQ(fractions.size(), yes + 1);  // none after that
+    EXPECT_EQ(fractions.size(), yes + 1);  // no question follows
   }
 }
 
-/// Taking the lists gives the same parts as copying them, with attributes of corners, too.
+/// Moving the lists gives the same parts as copying them, also with attributes at corners.
 TEST_F(CutProgress, PartsOfTheListsThatWereTakenAreTheSame) {
   MeshAttributes attributes;
   attributes.vertices.push_back({"x", NumberType::kFloat64, {}});

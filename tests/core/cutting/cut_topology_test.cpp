@@ -1,4 +1,4 @@
-// What kind of pieces curves leave.
+// The topology of the pieces that curves leave.
 #include "talweg/core/cutting/cut_topology.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Lids never repeat what the piece has, and keep clear of it.
+// Lids do not repeat edges or triangles of the piece, and keep clear of it.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -30,7 +30,8 @@ std::size_t smallest(const OpenedSeams& seams) {
   return static_cast<std::size_t>(std::min_element(faces.begin(), faces.end()) - faces.begin());
 }
 
-/// Pairs of triangles, one of them of a lid, of which a side goes through the other.
+/// The number of pairs of a lid's triangle and another triangle where a side of one penetrates the
+/// other.
 std::size_t crossings(const Piece& part) {
   const auto at = [&](std::size_t f) {
     const auto& [a, b, c] = part.lists.triangles[f];
@@ -73,7 +74,7 @@ TEST(Lids, OverOneTriangleHaveAPointInside) {
   EXPECT_EQ(part.vertices.back(), kNoVertex);
   expect_closed(part);
   EXPECT_GT(test::volume(part.lists), 0);
-  // The triangle that was taken out is the lid of the rest.
+  // The lid of the rest is the triangle that was cut out.
   Piece rest = piece(seams, 1 - smallest(seams));
   EXPECT_EQ(add_lids(rest, seams, chain).inner, 0U);
   expect_closed(rest);
@@ -81,7 +82,7 @@ TEST(Lids, OverOneTriangleHaveAPointInside) {
 }
 
 TEST(Lids, DoNotUseADiagonalThatThePieceHas) {
-  // Two faces that make an arrowhead: over it there is but one flat lid, that with their edge.
+  // Two faces form an arrowhead. Its only flat lid contains their common edge.
   MeshLists lists = test::sphere(2);
   const Surface surface = test::surface_of_lists(lists);
   const HalfedgeId h{0};
@@ -191,7 +192,7 @@ TEST(Lids, OfAFlatPieceEncloseALittle) {
   EXPECT_EQ(add_lids(patch, seams, cut.chains).with_inner, 1U);
   expect_closed(patch);
   EXPECT_GT(test::volume(patch.lists), 0);
-  // A plane one lies on the piece, but repeats nothing of it.
+  // A plane lid lies on the piece, but repeats no edge or triangle.
   Piece flat = piece(seams, smallest(seams));
   EXPECT_EQ(add_lids(flat, seams, cut.chains, LidKind::kPlanar).planar, 1U);
   expect_closed(flat);
@@ -199,7 +200,7 @@ TEST(Lids, OfAFlatPieceEncloseALittle) {
 }
 
 TEST(Lids, OfBothSidesOfACutInOnePieceLieOnEachOther) {
-  // Once around a torus, across: the two rims are at one place. Not plane.
+  // A ring once around the tube of a torus: the two rims coincide, and are not plane.
   const MeshLists lists = test::torus(32, 64);
   Rim ring{true, {}};
   for (std::uint32_t i = 0; i < 32; ++i) {
@@ -240,7 +241,7 @@ MeshLists twisted(std::uint32_t length, std::uint32_t width) {
 }
 
 TEST(Lids, AreRefusedWhereNoneIsFree) {
-  // The strip between the two borders goes through every surface over either.
+  // The strip between the two borders penetrates every lid of either border.
   const std::uint32_t n = 60;
   const MeshLists lists = twisted(n, 6);
   Rim low{true, {}}, high{true, {}};
@@ -269,8 +270,8 @@ TEST(Lids, AreRefusedWhereNoneIsFree) {
 }
 
 TEST(Lids, DoNotGoThroughAWallExactlyAtItsVertices) {
-  // Along its outermost ring a torus is cut so that lids go through the innermost one: vertices
-  // that lie in the plane of the rim.
+  // A torus is cut along its outermost ring. A plane lid would pass exactly through the vertices of
+  // the innermost ring, which lie in the plane of the rim.
   const MeshLists lists = test::torus(32, 16);
   Rim ring{true, {}};
   for (std::uint32_t v = 0; v < lists.points.size(); v += 32) ring.vertices.push_back(v);

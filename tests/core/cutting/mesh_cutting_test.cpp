@@ -1,4 +1,4 @@
-// Curves as edges of the mesh: the surface stays what it was, to rounding.
+// Cutting turns curves into edges; the surface is unchanged up to rounding.
 #include "talweg/core/cutting/mesh_cutting.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ using test::volume;
 
 __extension__ using Wide = __int128;
 
-/// What every cut promises.
+/// The properties of every cut.
 void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                  const CutMesh& cut) {
   const MeshLists old = {{mesh.points().begin(), mesh.points().end()}, [&] {
@@ -76,7 +76,7 @@ void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
     }
     const double drawn = curve_length(mesh.surface(), curves[c]);
     EXPECT_NEAR(length, drawn, 1e-9 * drawn + 4 * cut.largest_move * static_cast<double>(n));
-    // Every point of the curve is a vertex, or was merged into one.
+    // Every point of the curve is a vertex, or was merged with one.
     const auto points = positions_of(mesh, curves[c]);
     for (const Point& p : points) {
       double nearest = HUGE_VAL;
@@ -88,7 +88,7 @@ void expect_good(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
   }
 }
 
-/// How far apart two meshes lie, both ways, at their vertices and at places inside their faces.
+/// The distance between two meshes in both directions, at vertices and points inside faces.
 double hausdorff(const SurfaceMesh& a, const SurfaceMesh& b) {
   double largest = 0;
   for (const auto& [from, to] : {std::pair{&a, &b}, {&b, &a}}) {
@@ -107,7 +107,8 @@ double hausdorff(const SurfaceMesh& a, const SurfaceMesh& b) {
   return largest;
 }
 
-/// Opened along its chains and welded again, a cut mesh is what it was, and lies on the old one.
+/// A cut mesh that is opened along its chains and welded again has its old connectivity, and lies
+/// on the old mesh.
 void expect_the_old_surface_when_welded(const SurfaceMesh& mesh, const CutMesh& cut) {
   const OpenedSeams open = open_seams(cut.lists, cut.chains);
   const MeshLists welded = repair(open.lists).lists;
@@ -228,7 +229,7 @@ SurfaceCurve random_curve(const SurfaceMesh& mesh, StraightLines& lines, std::mt
   return lines.join(points, closed);
 }
 
-/// The same between points a few steps apart, also on large meshes.
+/// A curve of straight lines between points a few steps apart, also for large meshes.
 SurfaceCurve local_curve(const SurfaceMesh& mesh, StraightLines& lines, std::mt19937& random,
                          bool closed) {
   const Surface& surface = mesh.surface();
@@ -269,7 +270,7 @@ TEST_F(MeshCutting, RandomCurvesOnManyMeshes) {
           curves.push_back(random_curve(mesh, lines, random, random() % 2 == 0));
         }
       } catch (const Error&) {
-        continue;  // two of the points are the same, or so near
+        continue;  // two points coincide or nearly coincide
       }
       const CutMesh cut = cut_along(mesh, curves);
       expect_good(mesh, curves, cut);
@@ -329,11 +330,11 @@ TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
         curves.push_back(local_curve(mesh, lines, random, k % 2 == 0));
         if (k % 3 == 0) curves.push_back(local_curve(mesh, lines, random, k % 2 != 0));
       } catch (const Error&) {
-        continue;  // its points are too near to each other, or not connected
+        continue;  // random points too near to each other, or not connected
       }
       const CutMesh cut = cut_along(mesh, curves);
       expect_good(mesh, curves, cut);
-      // Welding would also join what lies on each other in the file.
+      // Welding also joins vertices that coincide in the file, so only some meshes are tested.
       if (k == 0 && is_small_and_whole) expect_the_old_surface_when_welded(mesh, cut);
       ++done;
     }

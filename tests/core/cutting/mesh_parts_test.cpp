@@ -62,7 +62,7 @@ std::string refused_parts(const CutMesh& cut, const SurfaceMesh& mesh, const Par
   return "none";
 }
 
-/// The origins lead to where the part's vertices and faces are, and the curves along its seam.
+/// The origins give the positions of the part's vertices and faces, and the curves along its seam.
 void expect_origins(const MeshPart& part, const PartOrigins& origins, const MeshLists& input) {
   ASSERT_EQ(origins.vertices.size(), part.lists.points.size());
   for (std::size_t v = 0; v < origins.vertices.size(); ++v) {
@@ -101,7 +101,7 @@ TEST(MeshParts, WithoutOptionsTheWholeCutMesh) {
   EXPECT_EQ(made.pieces, 1U);
   EXPECT_EQ(made.parts[0].lists.triangles, sheet.cut.lists.triangles);
   EXPECT_EQ(made.left_out, std::vector<std::string>{"a list"});
-  // The attribute is linear, and stays so.
+  // A linear attribute stays linear.
   const auto& values = made.parts[0].attributes.vertices.at(0).values;
   ASSERT_EQ(values.size(), made.parts[0].lists.points.size());
   for (std::size_t v = 0; v < values.size(); ++v) {
@@ -203,7 +203,7 @@ TEST(MeshParts, RefusesASideThatIsNone) {
       mesh.surface(), test::ids({0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5}), true);
   EXPECT_EQ(refused_parts(cut_along(mesh, {&rim, 1}), mesh, kept_side(KeptSide::kRight)),
             "keep right leaves nothing: curve 0 has no face on the right.");
-  // What lies between two lines is on the left of one and on the right of the other.
+  // The piece between two lines is on the left of one and on the right of the other.
   const std::vector<SurfaceCurve> lines = {
       test::vertex_curve(mesh.surface(), test::ids({5, 6, 7, 8, 9}), false),
       test::vertex_curve(mesh.surface(), test::ids({15, 16, 17, 18, 19}), false)};

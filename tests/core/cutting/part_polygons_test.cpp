@@ -47,7 +47,7 @@ struct CutQuads {
     std::sort(all.begin(), all.end());
     return all;
   }
-  /// As it is after writing and reading.
+  /// The faces after writing and reading.
   [[nodiscard]] MeshLists back(const std::string& name) const {
     return read_mesh(name, mesh_bytes(name, part.lists, {}, {}, &faces).bytes);
   }
@@ -66,8 +66,8 @@ std::vector<SurfacePoint> across(const MeshLists& lists) {
 TEST(PartPolygons, WholeOnesStayAndPlaneOnesAreCutIntoPolygons) {
   const MeshLists file = quads();
   const CutQuads cut(file, across(file));
-  // Six quads are whole; of the three others either half has a corner more, on the diagonal, and
-  // the two on the curve's ends.
+  // Six quads are whole. The halves of the three others have one more corner, on the diagonal, and
+  // those at the curve's ends another at the end.
   EXPECT_EQ(cut.corners(), (std::vector<std::size_t>{4, 4, 4, 4, 4, 4, 5, 5, 5, 5, 5, 5}));
   for (const char* name : {"a.off", "a.obj", "a.ply"}) {
     const MeshLists back = cut.back(name);
@@ -75,7 +75,7 @@ TEST(PartPolygons, WholeOnesStayAndPlaneOnesAreCutIntoPolygons) {
     EXPECT_EQ(back.polygon_shapes.concave, 0U);
     EXPECT_EQ(back.points.size(), 16U + 7U);
     EXPECT_NEAR(area(back), 9, 1e-14);
-    // A whole quad begins where the file's does.
+    // A whole quad begins at the same corner as in the file.
     EXPECT_EQ(back.triangles[0], file.triangles[0]);
     EXPECT_EQ(back.triangles[1], file.triangles[1]);
   }
@@ -85,8 +85,8 @@ TEST(PartPolygons, OnesThatAreNotPlaneAreCutIntoTriangles) {
   const MeshLists file = quads(0.3);
   const CutQuads cut(file, across(file));
   EXPECT_EQ(file.polygon_shapes.not_plane, 4U);
-  // Of these two are cut. Each becomes six triangles, as the curve cuts both of its triangles into
-  // a triangle and two more.
+  // Two of these quads are cut. Each becomes six triangles: the curve divides both of its triangles
+  // into three.
   const std::vector<std::size_t> corners = cut.corners();
   EXPECT_EQ(std::count(corners.begin(), corners.end(), 4U), 6);
   EXPECT_EQ(std::count(corners.begin(), corners.end(), 5U), 2);

@@ -1,4 +1,4 @@
-// Meshes taken apart along curves, and the lids on what that leaves open.
+// Meshes opened along curves, and lids on the resulting holes.
 #include "talweg/core/cutting/seam_opening.hpp"
 
 #include <cmath>
@@ -70,7 +70,7 @@ TEST(SeamOpening, AnOpenCurveIsASlit) {
   const OpenedSeams seams = open_seams(cut.lists, cut.chains);
   EXPECT_EQ(seams.pieces, 1U);
   EXPECT_EQ(seams.left[0], seams.right[0]);
-  // All but its ends are there twice, and there is one hole more.
+  // All vertices except the ends are doubled, and the mesh has one more hole.
   EXPECT_EQ(seams.lists.points.size(), cut.lists.points.size() + cut.chains[0].vertices.size() - 2);
   EXPECT_EQ(euler(seams.lists), euler(cut.lists) - 1);
   Piece slit = piece(seams, 0);
@@ -92,7 +92,7 @@ TEST(SeamOpening, FromBoundaryToBoundaryItPartsASheet) {
   EXPECT_EQ(euler(part.lists), 1);
   const Lids lids = add_lids(part, seams, cut.chains);
   EXPECT_EQ(lids.filled, 0U);
-  EXPECT_EQ(lids.left_open, 1U);  // the rest of its rim was there before
+  EXPECT_EQ(lids.left_open, 1U);  // the rest of the rim is the old boundary
 }
 
 TEST(SeamOpening, ALoopAroundATorusPartsNothingAndTwoDo) {
@@ -101,7 +101,7 @@ TEST(SeamOpening, ALoopAroundATorusPartsNothingAndTwoDo) {
   const auto meridian = [&](std::uint32_t k) {
     CutMesh::Chain chain{true, {}};
     for (std::uint32_t v = 0; v < lists.points.size(); ++v) {
-      // Vertices are in rows; which way they run does not matter here.
+      // Vertices are in rows; their direction does not matter here.
       if (v / 32 == k) chain.vertices.push_back(v);
     }
     return chain;
@@ -214,7 +214,8 @@ TEST(Lids, BetweenNestedRimsInOnePlaneAreWithHoles) {
   }
   EXPECT_NEAR(volume(lower.lists), 12, 1e-12);
   EXPECT_NEAR(volume(upper.lists), 24, 1e-12);
-  // Of least area each rim has its own. They would lie on each other: the outer one is moved away.
+  // With kLeastArea each rim has a separate lid. The two lids would overlap, so the outer lid is
+  // moved away.
   Piece other = piece(seams, seams.right[0][0]);
   const Lids apart = add_lids(other, seams, rings, LidKind::kLeastArea);
   EXPECT_EQ(apart.filled, 2U);
@@ -289,7 +290,7 @@ TEST(PlaneFilling, OfALongPolygonIsThePolygon) {
   ASSERT_TRUE(lid.has_value());
   EXPECT_EQ(lid->size(), 2300U);
   EXPECT_NEAR(area({points, *lid}), area_of(loops[0]) - area_of(loops[1]), 1e-6);
-  // One that crosses itself is none.
+  // A polygon that crosses itself has no filling.
   std::swap(loops[0][3], loops[0][40]);
   EXPECT_FALSE(fill_plane(points, loops).has_value());
 }

@@ -46,7 +46,7 @@ int octant(const Point& p) {
   return (p.x() > 0.1 ? 1 : 0) + (p.y() > 0.1 ? 2 : 0) + (p.z() > 0.1 ? 4 : 0);
 }
 
-/// Every edge between two labels is on a border, once, and nothing else is.
+/// Exactly the edges between two labels are on borders, once each.
 void expect_all_edges_once(const SurfaceMesh& mesh, const Labels& labels) {
   const Surface& surface = mesh.surface();
   std::multiset<std::size_t> found;
@@ -132,7 +132,7 @@ TEST(LabelBorders, ALoopThatHangsOnAJunctionIsHeldThere) {
   Labels labels = by_face(mesh, [](const Point& p) { return p.y() < 4 ? 0 : 1; });
   const auto straight = label_borders(surface, labels);
   ASSERT_EQ(straight.size(), 1U);
-  // One face above that has a corner, but no side, on the border.
+  // A face above the border that has a corner, but no side, on it.
   const auto on_border = [&](VertexId v) { return mesh.point(v).y() == 4; };
   for (std::size_t f = 0; f < labels.size(); ++f) {
     const auto corners = surface.corners(FaceId{f});

@@ -1,4 +1,4 @@
-// Junctions that move to where their borders balance, ends that slide along the boundary.
+// Junctions move until their borders balance; ends slide along the boundary.
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -32,8 +32,8 @@ Labels by_middle(const MeshLists& lists, const Rule& rule) {
   return labels;
 }
 
-/// The directions in which borders leave their ends at a place, of the first piece that is at least
-/// `length` long.
+/// The directions of the borders at their ends near `place`: from the end to the first point at
+/// least `length` away.
 std::vector<Point> directions_at(const SurfaceMesh& mesh, const LabelNetwork& network,
                                  const Point& place, double near, double length) {
   std::vector<Point> directions;

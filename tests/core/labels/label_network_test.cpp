@@ -1,4 +1,4 @@
-// Networks of borders: random partitions, and the ones where smoothing is in the way of itself.
+// Networks of borders: random partitions, and partitions where smoothed borders conflict.
 #include "talweg/core/labels/label_network.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ TEST(LabelNetwork, OfRandomPartitionsKeepsEveryRegionWhole) {
         const Labels labels = test::voronoi_labels(mesh->mesh(), count, seed);
         const LabelNetwork network = smoothed(mesh, labels, 1);
         expect_sound(shape.lists, *mesh, labels, network);
-        // With 200 regions a border is a handful of edges long.
+        // With 200 regions a border has only a few edges.
         EXPECT_LE(network.total.after.total_curvature,
                   (count < 200 ? 0.2 : 0.3) * network.total.before.total_curvature);
       }
@@ -99,7 +99,7 @@ TEST(LabelNetwork, ABorderBeyondTheBoundIsTightenedOnlyThere) {
         expect_sound(shape.lists, *mesh, labels, network);
         expect_within(*mesh, labels, network, bound);
         EXPECT_EQ(network.as_drawn, 0U);
-        // A border of many edges that is stiff all along has 0.5 and more.
+        // Borders that stay stiff have a ratio of 0.5 and more.
         EXPECT_LE(network.total.after.total_curvature, 0.2 * network.total.before.total_curvature);
       }
     }
@@ -119,10 +119,10 @@ TEST(LabelNetwork, TimesAreOfAllRuns) {
               t.load + t.open + t.solve + t.straighten + t.trace + t.relax + t.fair + t.measure,
               1e-6 * t.total);
   EXPECT_LE(t.total - t.open, elapsed);
-  EXPECT_GE(t.total - t.open, elapsed / 2);  // of all of it
+  EXPECT_GE(t.total - t.open, elapsed / 2);  // at least half of the elapsed time
 }
 
-// They have no area, and no cut could show that they stay.
+// Vertices without faces have no area, and do not appear in a cut mesh.
 TEST(LabelNetwork, VerticesWithoutFacesAreNoParts) {
   MeshLists lists = test::grid(12, 8);
   lists.points.emplace_back(3, 3, 5);
@@ -132,14 +132,14 @@ TEST(LabelNetwork, VerticesWithoutFacesAreNoParts) {
   labels[labels.size() - 2] = labels.front();
   labels[labels.size() - 1] = 7;
   const LabelNetwork network = smoothed(mesh, labels, 1);
-  ASSERT_EQ(network.regions.size(), 2U);  // none of label 7
+  ASSERT_EQ(network.regions.size(), 2U);  // no region of label 7
   for (const LabelRegion& region : network.regions) {
     EXPECT_EQ(region.parts_before, 1U) << region.label;
     EXPECT_EQ(region.parts_after, 1U) << region.label;
   }
 }
 
-/// A sheet of labels 0 and 1 with something of label 2 in it.
+/// A sheet of labels 0 and 1 with a region of label 2 inside.
 template <class Rule>
 Labels on_sheet(const OpenedMesh& mesh, const Rule& is_two) {
   Labels labels;
@@ -179,7 +179,7 @@ TEST(LabelNetwork, ALongThinRegionIsNotTornAndSaysThatItWasHeld) {
     const LabelNetwork network = smoothed(mesh, labels, tau);
     expect_sound(lists, *mesh, labels, network);
     if (tau > 0) continue;
-    // Geodesics between the same two junctions would lie on each other.
+    // Geodesics between the same two junctions would coincide.
     const auto region = std::find_if(network.regions.begin(), network.regions.end(),
                                      [](const LabelRegion& r) { return r.label == 2; });
     EXPECT_TRUE(region->held);
@@ -229,7 +229,7 @@ TEST(LabelNetwork, IsTheSameEveryTime) {
   }
 }
 
-// Whatever a budget leaves over, regions stay whole and borders within the bound.
+// With any budget, regions stay whole and borders stay within the bound.
 TEST(LabelNetwork, WithABudgetIsSoundForAnyWork) {
   const auto lists = test::hills(40);
   const auto mesh = OpenedMesh::open(lists);
@@ -311,7 +311,7 @@ TEST(LabelNetwork, NamesTheRegionWhoseBorderWouldCollapse) {
     const Point middle = lists.points[t[0]] + lists.points[t[1]] + lists.points[t[2]];
     labels.push_back(middle.normalized().z() > 0.9 ? 1 : 0);
   }
-  // Nothing holds a loop at tau = 0 but another try.
+  // A loop collapses at tau = 0 and needs another try with a larger tau.
   const LabelNetwork network = smooth_labels(opened, labels, {.tau = 0});
   ASSERT_EQ(network.regions.size(), 2U);
   for (const LabelRegion& region : network.regions) {

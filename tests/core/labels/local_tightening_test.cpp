@@ -1,4 +1,4 @@
-// Less slack where a result lies beyond the bound, and nowhere else.
+// The slack is reduced near stretches beyond the bound only.
 #include "talweg/core/labels/local_tightening.hpp"
 
 #include <algorithm>

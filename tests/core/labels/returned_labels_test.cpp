@@ -1,4 +1,4 @@
-// Labels of vertices after smoothing, and those that would be lost.
+// Labels of vertices after smoothing, and labels that would be lost.
 #include "talweg/core/labels/returned_labels.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(ReturnedLabels, OfVerticesThatCoverNoFaceAreGivenBack) {
       told_of(many, true, true),
       "Labels 3 (2 faces), 3 (2 faces), 3 (2 faces), 3 (2 faces), 3 (2 faces) and 2 more have "
       "no vertex or no face of their own: their faces keep them");
-  // Labels of faces cannot have them.
+  // New labels of faces cannot contain the labels of single vertices.
   Labels of_faces = network.face_labels;
   EXPECT_EQ(give_back(drawn, network.face_labels, of_faces).size(), 2U);
   EXPECT_EQ(of_faces, network.face_labels);
@@ -72,7 +72,8 @@ TEST(ReturnedLabels, OfLabelsOfFacesLieWhereTheRegionsAre) {
   const LabelNetwork network = smooth_labels(mesh, drawn);
   const Labels labels = labels_of_vertices(network, mesh->surface(), drawn);
   ASSERT_EQ(labels.size(), lists.points.size());
-  // Each is the label of a face of the cut mesh around it, and nearly always of all of them.
+  // The label of a vertex is that of a face of the cut mesh around it, and nearly always of all
+  // faces around it.
   std::vector<std::set<std::int64_t>> around(labels.size());
   for (std::size_t f = 0; f < network.cut_labels.size(); ++f) {
     for (const std::uint32_t v : network.cut.lists.triangles[f]) {

@@ -1,4 +1,4 @@
-// A deviation with a budget: what holds for it, for every amount of work.
+// The bounds of a deviation with a budget hold for every amount of work.
 #include "talweg/core/measure/bounded_deviation.hpp"
 
 #include <cmath>
@@ -59,7 +59,8 @@ void expect_same(const OneSidedSurfaceDeviation& a, const OneSidedSurfaceDeviati
 void expect_bounds_that_hold(const OneSidedSurfaceDeviation& bound,
                              const OneSidedSurfaceDeviation& exact) {
   EXPECT_GE(bound.max, exact.max * (1 - 1e-12));
-  EXPECT_LE(bound.at_least, exact.max * (1 + 1e-3) + 1e-3);  // as near as the meter promises
+  EXPECT_LE(bound.at_least,
+            exact.max * (1 + 1e-3) + 1e-3);  // within the tolerance of DeviationMeter
   EXPECT_GE(bound.mean, exact.mean * (1 - 1e-3));
   EXPECT_LE(bound.at_least, bound.max);
 }
@@ -67,7 +68,7 @@ void expect_bounds_that_hold(const OneSidedSurfaceDeviation& bound,
 void expect_no_worse(const OneSidedSurfaceDeviation& more, const OneSidedSurfaceDeviation& less) {
   EXPECT_LE(more.max, less.max);
   EXPECT_GE(more.at_least, less.at_least);
-  EXPECT_LE(more.mean, less.mean * (1 + 1e-3));  // the exact one is integrated to that
+  EXPECT_LE(more.mean, less.mean * (1 + 1e-3));  // the accuracy of the exact mean
 }
 
 void expect_bounds_for_all_work(const Pair& pair) {

@@ -68,8 +68,7 @@ TEST(Deviation, OfParallelLines) {
 }
 
 TEST(Deviation, SeesACornerThatWasCut) {
-  // A spike of height 3 that the result leaves out: it is 3 from the result, but the result is
-  // within the distance of (5, 0) to the flanks, 5 · 3 / √34 · ... at its foot.
+  // The result cuts off a spike of height 3, whose tip is at distance 3 from the result.
   const std::vector<Point> drawn{Point(0, 0, 0), Point(5, 3, 0), Point(10, 0, 0)};
   const std::vector<Point> result{Point(0, 0, 0), Point(10, 0, 0)};
   const Deviation d = deviation(result, false, drawn, false);
@@ -118,7 +117,7 @@ TEST(Deviation, KeepsItsBoundOnRandomWalks) {
     length += (s.b - s.a).norm();
   }
   EXPECT_GE(side.max, largest * (1 - 1e-6));
-  EXPECT_LE(side.max, largest + 2.0 / 400);  // distances change no faster than the point moves
+  EXPECT_LE(side.max, largest + 2.0 / 400);  // slope of a distance is at most 1
   EXPECT_NEAR(side.mean, integral / length, 1e-3 * side.mean);
   EXPECT_NEAR(brute_force(b, side.at), side.max, 1e-12);
 }

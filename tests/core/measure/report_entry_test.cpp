@@ -51,7 +51,7 @@ TEST(ReportEntries, AnEmptyListIsAnArrayThatElementsMayFollow) {
             "{\n  \"first\": [\n    3\n  ]\n}\n");
 }
 
-// Names that begin with a digit, years and the like are what they were before there were arrays.
+// Keys like years, or that begin with a digit, are names and not indices of arrays.
 TEST(ReportEntries, WhatIsNotTheNextIndexIsAName) {
   EXPECT_EQ(to_json({{"0", 1.0}, {"by_year.2026", 1.0}, {"by_code.01", 1.0}, {"in.2_h", 1.0}}, {}),
             "{\n  \"0\": 1.0,\n  \"by_year\": {\n    \"2026\": 1.0\n  },\n"

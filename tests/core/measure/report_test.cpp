@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-/// A report in which every number is another one.
+/// A report with a different number in every field.
 SmoothingReport numbered(double start) {
   SmoothingReport r;
   r.version = "1.2.3";
@@ -186,7 +186,8 @@ TEST(Report, NumbersThatAreNoneBecomeNull) {
   EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
 }
 
-/// Of a result that strays from its drawing by 2 along the surface, and cuts 7 of it off.
+/// The report on a result that is up to 2 from its drawing along the surface, and cuts off a part
+/// that is 7 away.
 SmoothingReport cutting_off() {
   SmoothingReport r;
   r.deviation = DeviationMeasure::kAlongSurface;
@@ -218,7 +219,7 @@ TEST(Farthest, TellsBounds) {
   r = cutting_off();
   r.deviation = DeviationMeasure::kEuclidean;
   EXPECT_EQ(farthest(r).at_least, 7);
-  EXPECT_EQ(farthest(r).at_most, kForever);  // along the surface it may be any more
+  EXPECT_EQ(farthest(r).at_most, kForever);  // along the surface it may be arbitrarily longer
 }
 
 TEST(Farthest, HasPointsThatAreMissed) {
@@ -306,7 +307,7 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   EXPECT_EQ(total.deviation_from_drawn_max, b.deviation_from_drawn_max);
   EXPECT_EQ(total.deviation_to_drawn_mean, 2);
   EXPECT_EQ(total.deviation_at, b.deviation_at);
-  EXPECT_EQ(total.flips, a.flips);  // of the whole run, the same in all of them
+  EXPECT_EQ(total.flips, a.flips);  // values of the whole run are equal in all reports
   EXPECT_EQ(total.warnings, (std::vector<std::string>{"x", "y", "z"}));
   EXPECT_EQ(total.termination, Outcome::kCollapsed);
   b.termination = Outcome::kCancelled;

@@ -41,7 +41,7 @@ class Contacts : public testing::Test {
     std::reverse(curve.points.begin(), curve.points.end());
     return curve;
   }
-  /// The same loop from another of its points on.
+  /// The same loop with another first point.
   [[nodiscard]] SurfaceCurve turned(SurfaceCurve curve, std::size_t by) const {
     std::rotate(curve.points.begin(), curve.points.begin() + std::ptrdiff_t(by),
                 curve.points.end());
@@ -70,7 +70,7 @@ TEST_F(Contacts, SimpleCurvesHaveNone) {
   expect(line({{1.3, 1.2, 0}, {1.4, 1.25, 0}}, false), 0, 0);  // within a face
   SurfaceCurve point = path({5}, false);
   EXPECT_TRUE(of(point).empty());
-  point.points.push_back(point.points.front());  // no way at all
+  point.points.push_back(point.points.front());  // a segment without length
   EXPECT_TRUE(of(point).empty());
 }
 
@@ -98,7 +98,8 @@ TEST_F(Contacts, ALoopThatTouchesAVertexTwiceHasOne) {
 }
 
 TEST_F(Contacts, TouchingAnEdgeFromBothSidesIsOne) {
-  // Each stays on its side of the row y = 6; they share the point (5.5, 6) and no face near it.
+  // The curves stay on different sides of the row y = 6; they share the point (5.5, 6) and no face
+  // near it.
   const SurfaceCurve above = line({{5.2, 6.8, 0}, {5.5, 6, 0}, {5.6, 6.9, 0}}, false);
   const SurfaceCurve below = line({{5.3, 5.1, 0}, {5.5, 6, 0}, {5.8, 5.2, 0}}, false);
   const auto found = self_contacts(mesh_.surface(), std::vector{above, below});
@@ -204,8 +205,8 @@ SurfacePoint spoke_end(const SurfaceMesh& mesh, const Point& middle, double angl
   return snap(mesh, input).points.back();
 }
 
-// A hundred curves from one vertex into the faces there: one place. There is a stretch if two of
-// them, of different lengths, have one direction, and wherever the shorter one stands in the list.
+// A hundred curves from one vertex into the faces there have one contact. The contact is a stretch
+// if two curves of different lengths have the same direction, for any order of the list.
 TEST_F(Contacts, AFanAtAVertexIsOnePlace) {
   const Point middle(10, 10, 0);
   const SurfacePoint vertex = SurfacePoint::at_vertex(mesh_.surface(), VertexId{10 * 21 + 10});

@@ -35,7 +35,7 @@ SurfaceDeviation measure(const SurfaceMesh& mesh, const SurfaceCurve& result,
   return DeviationMeter(mesh).measure(std::span(&result, 1), std::span(&drawn, 1));
 }
 
-/// What the header promises of a maximum: never more than the truth, and hardly less.
+/// The accuracy of a maximum: not larger than the true value, and at most 1e-3 smaller.
 void expect_max(double found, double truth, double segment) {
   EXPECT_LE(found, truth * (1 + 1e-9) + 1e-12);
   EXPECT_GE(found, truth - 1.001e-3 * std::max(truth, segment));
@@ -73,15 +73,15 @@ TEST(SurfaceDeviation, AgreesWithTheEuclideanOneInThePlane) {
     expect_max(d.from_drawn.max, plane.from_drawn.max * (1 + 1e-6), 1);
     EXPECT_NEAR(d.to_drawn.mean, plane.to_drawn.mean, 2e-3 * plane.to_drawn.mean);
     EXPECT_NEAR(d.from_drawn.mean, plane.from_drawn.mean, 2e-3 * plane.from_drawn.mean);
-    // The maximum is where it is said to be.
+    // The distance at the reported point is the maximum.
     const NearestSegment tree(segments_of(b, closed));
     EXPECT_NEAR(tree.to(mesh.position(d.to_drawn.at)).distance, d.to_drawn.max, 1e-9);
     EXPECT_EQ(d.larger().max, std::max(d.to_drawn.max, d.from_drawn.max));
   }
 }
 
-/// Parts of such a drawing march over all the faces, each for itself (found by fuzzing: minutes on
-/// meshes that were divided along their drawing).
+/// Each part of such a drawing computes distances over all faces. Found by fuzzing: minutes on
+/// meshes that were divided along their drawing.
 TEST(SurfaceDeviation, OfAWindingDrawingFarFromItsResult) {
   constexpr int kSize = 60;
   const SurfaceMesh mesh = SurfaceMesh::open(grid(kSize, kSize));
@@ -116,7 +116,8 @@ TEST(SurfaceDeviation, SeesACornerThatWasCut) {
 }
 
 TEST(SurfaceDeviation, GoesOverTheRidgeAndNotBelowIt) {
-  // A sheet folded along x = 10 to a right angle: along the surface it is the plane it was.
+  // A sheet folded along x = 10 to a right angle: distances along the surface are those of the
+  // plane.
   const MeshLists flat_lists = grid(20, 12);
   MeshLists folded_lists = flat_lists;
   for (Point& p : folded_lists.points) {
@@ -169,7 +170,7 @@ TEST(SurfaceDeviation, IsNeverLessThanTheEuclideanOneOrASample) {
     const double h = mesh.mean_edge_length();
     EXPECT_GE(d.to_drawn.max, space.to_drawn.max - 2e-3 * h) << name;
     EXPECT_GE(d.from_drawn.max, space.from_drawn.max - 2e-3 * h) << name;
-    // Every tenth of every segment, looked at one by one.
+    // Brute force: samples at every tenth of every segment.
     PolylineDistance to(mesh.surface());
     to.set(std::span(&drawing, 1));
     double largest = 0, integral = 0, length = 0;
@@ -224,7 +225,7 @@ TEST(SurfaceDeviation, OnAnotherComponentIsInfiniteAndNeverNaN) {
     EXPECT_EQ(side.max, infinity);
     EXPECT_EQ(side.mean, infinity);
   }
-  // Both against one of them: half of it is out of reach.
+  // Both curves against one of them: the other is on an unreachable component.
   DeviationMeter meter(mesh);
   const SurfaceDeviation half = meter.measure(std::vector{here, there}, std::span(&here, 1));
   EXPECT_EQ(half.to_drawn.max, infinity);
@@ -263,7 +264,7 @@ TEST(SurfaceDeviation, AMeterCanBeUsedAgain) {
       EXPECT_EQ(whole.from_drawn.mean, fresh.from_drawn.mean);
     }
   }
-  // What is asked in vain leaves nothing behind.
+  // A measurement that throws leaves no trace.
   EXPECT_THROW(meter.measure(std::span(&curves[0], 1), std::vector{SurfaceCurve{}}), Error);
   const SurfaceCurve torn = vertex_curve(surface, ids({0, 1}), false);
   EXPECT_THROW(meter.measure(std::span(&curves[0], 1), std::span(&torn, 1)), Error);

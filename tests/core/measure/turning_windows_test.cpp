@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The turns in the closed window of this length about a place; on a closed curve also those that
-/// are a whole round away.
+/// The sum of the turns in the closed window about `place`; on a closed curve positions count
+/// modulo its length.
 double sum_about(const CurveTurns& turns, double place, double window) {
   double sum = 0;
   for (std::size_t k = 0; k < turns.at.size(); ++k) {

@@ -145,7 +145,7 @@ TEST(MeshInspection, OneSidedStrip) {
   EXPECT_EQ(m.verdict, MeshVerdict::kUnusable);
 }
 
-/// Found by random runs: units of 1e-6 at 5,000,000 from the origin; all is welded to one point.
+/// Found by random runs: a mesh of size 1e-6 at 5,000,000 from the origin is welded to one point.
 TEST(MeshInspection, WhatHasNoExtentAtAllIsNotCalledRepairable) {
   MeshLists lists = with_turned_face(box(), 3);
   for (Point& p : lists.points) p = 1e-12 * p + Point(5e6, 5e6, 5e6);
@@ -190,7 +190,7 @@ TEST(MeshInspection, OdditiesAreUsable) {
   EXPECT_EQ(alone.verdict, MeshVerdict::kUsable);
 }
 
-// The verdict is that of opening the mesh.
+// The verdict agrees with opening the mesh.
 TEST(MeshInspection, WhatIsTooSmallIsNotUsable) {
   for (const double unit : {1e-200, 1e-80, 1e-41, 1e-39, 1e39, 1e41, 1e80}) {
     MeshLists lists = sphere(2);
@@ -227,9 +227,9 @@ TEST(MeshInspection, UnitsChangeNothing) {
   }
 }
 
-/// What the collection's own table says of each mesh (faces, vertices, components, loops, genus or
+/// The values of each mesh in the collection's table: faces, vertices, components, loops, genus or
 /// -1, misoriented edges, edges with more than two faces, bow-ties, duplicate positions, isolated
-/// vertices, faces below 1 degree).
+/// vertices, faces below 1 degree.
 struct Listed {
   const char* file;
   std::size_t faces, vertices, components, loops;

@@ -1,4 +1,4 @@
-// What an opened mesh keeps, and for how long.
+// The lifetime of the solvers that an opened mesh keeps.
 #include "talweg/core/mesh/opened_mesh.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ TEST(OpenedMesh, KeepsTheTwoSetsOfFactorsThatWereAskedForLast) {
   const std::weak_ptr<const HeatDistance> ten = opened->heat(10), twenty = opened->heat(20);
   EXPECT_FALSE(ten.expired());
   EXPECT_FALSE(twenty.expired());
-  EXPECT_EQ(opened->heat(10), ten.lock());  // the same one, and now the last
+  EXPECT_EQ(opened->heat(10), ten.lock());  // the same solver, now the most recently used
   const std::weak_ptr<const HeatDistance> thirty = opened->heat(30);
   EXPECT_TRUE(twenty.expired());
   EXPECT_FALSE(ten.expired());

@@ -36,13 +36,13 @@ Corners flat(const std::vector<std::array<double, 2>>& places) {
   return corners;
 }
 
-/// As read from corner k on.
+/// The polygon with corner k first.
 Corners begun_at(Corners corners, std::size_t k) {
   std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(k), corners.end());
   return corners;
 }
 
-/// In a plane that is along no axis, far from the origin.
+/// The polygon in an oblique plane far from the origin.
 Corners moved(Corners corners) {
   const Point x = Point(2, -1, 2) / 3, y = Point(2, 2, -1) / 3;  // at right angles, of length 1
   for (Point& p : corners) p = Point(500000, 4000000, 100) + p.x() * x + p.y() * y;
@@ -57,8 +57,8 @@ std::size_t flat_triangles(const MeshLists& lists) {
       }));
 }
 
-/// The number of triangles, the area as their sum, and none of them flat or turned over: then their
-/// sum would be more than the polygon's area.
+/// Checks the number of triangles, and that their areas are positive and sum to the polygon's area:
+/// triangles turned over would make the sum larger.
 void expect_covered(const Corners& corners, double expected) {
   const MeshLists lists = triangulated(corners);
   EXPECT_EQ(lists.triangles.size(), corners.size() - 2);
@@ -85,10 +85,10 @@ TEST(PolygonTriangulation, AFanThatCoversItsPolygonStays) {
   const Corners pentagon = flat({{0, 0}, {2, 0}, {3, 1}, {1, 3}, {-1, 1}});
   EXPECT_EQ(triangulated(pentagon).triangles, fan);
   EXPECT_EQ(triangulated(pentagon).polygon_shapes.concave, 0U);
-  // Seen from the corner that turns inwards, all of the L is in view.
+  // The fan from the reflex corner covers the L.
   const std::vector<Triangle> of_l{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
   EXPECT_EQ(triangulated(begun_at(kL, 3)).triangles, of_l);
-  // A corner on a side turns nowhere.
+  // A corner on a side does not turn.
   const Corners on_side = flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}});
   EXPECT_EQ(triangulated(on_side).triangles, fan);
   EXPECT_EQ(triangulated(on_side).polygon_shapes.concave, 0U);

@@ -1,4 +1,4 @@
-// How rough a mesh is, and what is left of it without.
+// The roughness of a mesh, and its smooth ground.
 #include "talweg/core/mesh/smooth_ground.hpp"
 
 #include <cmath>

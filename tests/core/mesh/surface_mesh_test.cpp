@@ -12,7 +12,7 @@
 namespace talweg::test {
 namespace {
 
-/// The sentence of the Error(kBadMesh) that opening raises; empty where it opens.
+/// The sentence of the Error(kBadMesh) of opening; empty if the mesh opens.
 std::string refusal_of(const MeshLists& lists) {
   try {
     SurfaceMesh::open(lists);

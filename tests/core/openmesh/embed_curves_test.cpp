@@ -1,4 +1,5 @@
-// Curves become edges of an OpenMesh mesh, in place: as on lists, and all that it knew stays.
+// Embedding turns curves into edges of an OpenMesh mesh, with the result of cut_along(), and keeps
+// all properties.
 #include "talweg/core/openmesh/embed_curves.hpp"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ std::multiset<Handles> triangles_of(const Mesh& mesh) {
   return triangles;
 }
 
-/// An opened mesh, and all of it before it is changed.
+/// The opened form of a mesh, and a copy of the mesh before the change.
 template <class Mesh>
 struct Opened {
   explicit Opened(const Mesh& mesh) : surface(surface_of(mesh, &ids)), before(mesh) {}
@@ -329,7 +330,7 @@ TEST(EmbedCurvesInSinglePrecision, RefusesToTurnAFaceOver) {
   EXPECT_EQ(Written<FloatMesh>(mesh, own), before);
 }
 
-/// What is wrong is said in one sentence, and the mesh stays, bit for bit.
+/// Bad input gives one sentence, and leaves the mesh unchanged, bit for bit.
 class EmbedCurvesRefuses : public testing::Test {
  protected:
   void SetUp() override {

@@ -73,7 +73,7 @@ TEST(EmbeddingInTools, ThreadsShareAnOpenedMesh) {
   std::vector<std::thread> threads;
   for (std::size_t k = 0; k < kThreads; ++k) {
     threads.emplace_back([&, k] {
-      CurveSmoother smoother(opened);  // the factors are made by whoever comes first
+      CurveSmoother smoother(opened);  // the first thread makes the factors
       smoother.set_curve(drawn);
       for (const double tau : {0.1, 3.0, 1.0}) {
         results[k] = positions_of(opened->mesh(), smoother.smooth(tau).curve());

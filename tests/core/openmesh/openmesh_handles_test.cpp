@@ -369,7 +369,7 @@ TEST(OpenMeshChanges, CurvesStayWhereTheirFacesStillExist) {
   ASSERT_EQ(kept().size(), 1U);
   EXPECT_EQ(kept()[0].size(), whole.size());
   for (std::size_t k = 0; k < whole.size(); ++k) EXPECT_LT((kept()[0][k] - whole[k]).norm(), 1e-14);
-  // Without a face of the third square it falls apart.
+  // Without a face of the third square, the curve is divided.
   const auto h = mesh.find_halfedge(mesh.vertex_handle(16), mesh.vertex_handle(24));
   mesh.delete_face(mesh.face_handle(h), false);
   ASSERT_EQ(kept().size(), 2U);

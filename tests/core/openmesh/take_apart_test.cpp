@@ -1,4 +1,4 @@
-// An OpenMesh mesh is taken apart along embedded curves, with all that it knows.
+// Splitting divides an OpenMesh mesh along embedded curves, and keeps all properties.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -35,7 +35,7 @@ std::multiset<CornerPoints> corners_of(const MeshLists& lists) {
   return all;
 }
 
-/// The pieces of the lists that a mesh is, opened along the same chains.
+/// The pieces of the mesh as lists, opened along the same chains.
 struct OnLists {
   OpenedSeams opened;
   std::vector<CutChain> chains;
@@ -90,7 +90,7 @@ struct Embedded {
 template <class Mesh>
 class TakeApart : public testing::Test {
  protected:
-  /// As many random meshes as there are, some closed, some with boundary or deleted elements.
+  /// Random meshes, some closed, some with boundary or deleted elements.
   template <class Check>
   void each(Check check) {
     const MeshLists meshes[] = {grid(12, 9), sphere(2), torus(16, 9), tube(12, 8, 4),
@@ -133,7 +133,7 @@ TYPED_TEST(TakeApart, SeamsOpenAsOnLists) {
       EXPECT_EQ(mesh.property(own.v_number, copy), mesh.property(own.v_number, from));
       EXPECT_EQ(mesh.normal(copy), mesh.normal(from));
     }
-    // Every corner of a face has the values that it had.
+    // Every corner of a face keeps its values.
     for (const auto f : before.faces()) {
       auto h = before.halfedge_handle(f), g = mesh.halfedge_handle(f);
       for (int k = 0; k < 3; ++k) {
@@ -199,7 +199,7 @@ TYPED_TEST(TakeApart, PiecesAreMeshesWithAllProperties) {
       EXPECT_EQ(part.n_faces(), piece.lists.triangles.size());
       EXPECT_EQ(corners_of(lists), corners_of(piece.lists));
       for (const auto f : part.faces()) of_parts.insert(part.property(own.f_text, f));
-      // Its vertices are like some of the mesh, by all of their values.
+      // Every vertex of a piece equals a vertex of the mesh in all values.
       std::map<std::string, OpenMesh::VertexHandle> by_text;
       for (const auto v : mesh.vertices()) by_text[mesh.property(own.v_text, v)] = v;
       for (const auto v : part.vertices()) {

@@ -21,7 +21,7 @@
 namespace talweg::test {
 namespace {
 
-/// How often each kind of change was made.
+/// The number of changes of each kind.
 struct Counts {
   std::size_t welded = 0, collapsed = 0, duplicates = 0, zero_area = 0, turned = 0, edges = 0,
               vertices = 0, copies = 0;
@@ -39,8 +39,8 @@ Counts counts_of(const MeshChanges& c) {
           c.split_vertices.count,  c.vertex_copies};
 }
 
-/// What holds for every repair: each corner stays at its place, faces keep their order, and the
-/// maps agree with the lists.
+/// Properties of every repair: corners keep their positions, faces keep their order, and the maps
+/// agree with the lists.
 void check_map(const MeshLists& file, const RepairedMesh& repaired) {
   const RepairMap& map = repaired.map;
   ASSERT_EQ(map.file_vertex_count(), file.points.size());
@@ -75,7 +75,7 @@ RepairedMesh repaired_and_usable(const MeshLists& file, const RepairSteps& steps
   return repaired;
 }
 
-/// Every face with vertices of its own.
+/// The mesh with separate vertices for every face.
 MeshLists soup(const MeshLists& lists) {
   MeshLists result;
   for (const Triangle& t : lists.triangles) {
@@ -179,10 +179,10 @@ TEST(MeshRepair, DuplicateFaces) {
 }
 
 TEST(MeshRepair, ZeroAreaFacesGoWhereNoGapIsLeft) {
-  // On the boundary of a sheet it hangs by one edge.
+  // On the boundary of a sheet, a flat face is attached by one edge.
   const RepairedMesh flap = repaired_and_usable(with_zero_area_face(grid(2, 2), 0));
   EXPECT_EQ(counts_of(flap.changes), (Counts{.zero_area = 1}));
-  // In the middle the faces beside it would lose their neighbour, so it stays.
+  // In the middle of a sheet, removal would leave a gap, so the flat face stays.
   MeshLists inside = grid(2, 2);
   inside.points.emplace_back(0.5, 0.5, 0);
   inside.triangles[0] = {4, 9, 1};
@@ -196,12 +196,13 @@ TEST(MeshRepair, AChainOfFlatFlapsGoesWhole) {
   file.points.emplace_back(0.5, 0, 0);
   file.triangles.push_back({1, 0, 4});
   file.points.emplace_back(0.25, 0, 0);
-  file.triangles.insert(file.triangles.begin(), {4, 0, 5});  // hangs on the flap that comes last
+  file.triangles.insert(file.triangles.begin(), {4, 0, 5});  // attached to the last flap
   EXPECT_EQ(counts_of(repaired_and_usable(file).changes), (Counts{.zero_area = 2}));
 }
 
 TEST(MeshRepair, ACollapsedEdgeClosesUp) {
-  // Two vertices of an edge at one place: welded, and the two faces of the edge go.
+  // The two vertices of an edge have the same position: they are welded, and the two faces of the
+  // edge are dropped.
   MeshLists file = sphere(2);
   const Triangle t = file.triangles[10];
   file.points[t[1]] = file.points[t[0]];
@@ -290,7 +291,7 @@ TEST(MeshRepair, BowTiesArePartedAndIsolatedVerticesStay) {
 }
 
 TEST(MeshRepair, WhatWeldingAndSplittingUndoIsUnchanged) {
-  // Two spheres that touch in a point, with vertices of their own there.
+  // Two spheres that touch in a point, with separate vertices there.
   const MeshLists file = together(sphere(1), sphere(1), 2);
   ASSERT_EQ(inspect(file).duplicate_positions.count, 1U);
   EXPECT_EQ(counts_of(repaired_and_usable(file).changes), Counts{});
@@ -364,7 +365,7 @@ TEST(MeshRepair, VertexCurvesTakeTheSideTheyAreOn) {
   const auto shift = static_cast<std::uint32_t>(one.points.size());
   const RepairedMesh repaired = repaired_and_usable(file);
   const SurfaceMesh mesh = SurfaceMesh::open(repaired.lists);
-  // Two neighbours of vertex 3 in a face each.
+  // Two neighbours of vertex 3, in different faces.
   std::vector<VertexId> ring;
   for (const Triangle& t : one.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -387,7 +388,8 @@ TEST(MeshRepair, VertexCurvesTakeTheSideTheyAreOn) {
 }
 
 TEST(MeshRepair, CornersOfADroppedDoubleAreThoseOfTheFaceThatStays) {
-  // Face 1 lies on face 0 with a vertex of its own, 3, at vertex 2; face 2 only touches there.
+  // Face 1 repeats face 0 with a separate vertex 3 at the position of vertex 2; face 2 only touches
+  // there.
   MeshLists lists;
   lists.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {-1, 2, 0}, {1, 3, 0}};
   lists.triangles = {{0, 1, 2}, {0, 1, 3}, {3, 5, 4}};
@@ -409,8 +411,8 @@ TEST(MeshRepair, VerdictsNameTheStepsAndTryingThemTellsWhereTheyDoNotHelp) {
   EXPECT_EQ(found.steps, "orient");
   try_repair(turned, found);
   EXPECT_EQ(found.verdict, MeshVerdict::kRepairable);
-  // A Moebius strip of five faces. Its first face is there twice, which cuts what is joined by
-  // edges of two faces, so that it shows as one-sided only when the double is gone.
+  // A Moebius strip of five faces with the first face doubled. The doubled face makes edges of more
+  // than two faces, so the strip is found to be one-sided only after the double is dropped.
   MeshLists strip;
   for (int k = 0; k < 5; ++k)
     strip.points.emplace_back(std::cos(1.3 * k), std::sin(1.3 * k), k % 2);
@@ -442,7 +444,7 @@ TEST(MeshRepair, CurvesInDroppedFacesAreRefused) {
   }
 }
 
-/// Every triangle with vertices of its own, as in an STL file.
+/// The mesh with separate vertices for every triangle, as in an STL file.
 MeshLists soup_of(const MeshLists& mesh) {
   MeshLists soup;
   for (const Triangle& t : mesh.triangles) {
@@ -472,14 +474,14 @@ TEST(MeshRepair, ASoupIsToldWhatWeldingWouldGive) {
   const MeshLists fin = soup_of(with_fin(sphere(1), 0));
   EXPECT_NE(try_weld(fin, inspect(fin)).value().steps.find("split"), std::string::npos);
 
-  // Nothing to say where nothing is joined.
+  // No sentence if nothing is joined.
   EXPECT_FALSE(try_weld(grid(4, 3), inspect(grid(4, 3))));
   MeshLists isolated = grid(4, 3);
   isolated.points.push_back(isolated.points[5]);
   EXPECT_FALSE(try_weld(isolated, inspect(isolated)));
 }
 
-/// The defects that the collection's own table names, and what is done about them.
+/// The defects in the collection's table, and their repair.
 TEST(MeshRepair, RealMeshes) {
   const std::filesystem::path folder = test::mesh_folder();
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << test::missing("real meshes");

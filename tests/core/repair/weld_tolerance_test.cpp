@@ -70,7 +70,7 @@ TEST(WeldTolerance, SeamsBeyondRoundingOfLargeCoordinates) {
   ASSERT_TRUE(welded);
   EXPECT_EQ(welded->after.components, 1U);
   EXPECT_EQ(inspect(repair(lists, repair_steps(welded->steps)).lists).components, 1U);
-  // Nothing is near where nothing nearly coincides.
+  // No near vertices in a mesh without nearly coincident vertices.
   EXPECT_EQ(near_vertices(grid(4, 3), inspect(grid(4, 3))).count, 0U);
   const MeshLists apart = plates(0.5);
   EXPECT_EQ(near_vertices(apart, inspect(apart)).count, 0U);
@@ -141,7 +141,7 @@ TEST(WeldTolerance, GroupsDoNotDependOnTheOrder) {
     std::shuffle(other.triangles.begin(), other.triangles.end(), random);
     EXPECT_EQ(groups_of(other, 0.03), groups);
   }
-  // With room for all corners of one place it is one sheet again.
+  // With a tolerance for all corners of a place, the result is one sheet.
   const RepairedMesh mesh = repair(soup, repair_steps("weld=0.07"));
   EXPECT_EQ(mesh.changes.welded_vertices.count, soup.points.size() - sheet.points.size());
   EXPECT_LT(mesh.changes.weld_distance, 0.07);

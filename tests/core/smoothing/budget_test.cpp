@@ -27,7 +27,7 @@ bool says(const SmoothingReport& report, const std::string& words) {
       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
-/// All that a report says, but for times and memory.
+/// The entries of a report, without times and memory.
 std::string without_times(SmoothingReport report) {
   report.time_ms = {};
   report.peak_memory_mib = 0;
@@ -48,7 +48,7 @@ class SmoothingBudget : public testing::Test {
     const SurfaceCurve& curve = result.curve();
     EXPECT_EQ(curve.points.front(), wave.points.front());
     EXPECT_EQ(curve.points.back(), wave.points.back());
-    EXPECT_GT(curve_length(hills->surface(), curve), 0);  // each two neighbours share a face
+    EXPECT_GT(curve_length(hills->surface(), curve), 0);  // consecutive points share a face
     const SmoothingReport& report = result.report();
     const double exact = test::apart(hills->mesh(), curve, wave);
     const double told = std::max(report.deviation_to_drawn_max, report.deviation_from_drawn_max);
@@ -99,7 +99,8 @@ TEST_F(SmoothingBudget, OfHugeWorkOrTimeIsAsNone) {
   }
 }
 
-// A ladder of chains leads from one tau to another; what a budget has left of it is not kept.
+// FairLadder keeps chains for later calls. Chains of a call that a budget ended early must not be
+// kept.
 TEST_F(SmoothingBudget, LeavesNothingBehind) {
   for (const double tau : {3.0, 1.0, 0.3, 0.05}) {
     SCOPED_TRACE(tau);
@@ -132,7 +133,7 @@ TEST_F(SmoothingBudget, OfDragging) {
   EXPECT_EQ(smoother.smooth(1).curve().points, anew({}).curve().points);
 }
 
-// Once a curve within the bound is found it stays, and more work finds smoother ones.
+// A curve within the bound stays the best until more work finds a smoother curve.
 TEST_F(SmoothingBudget, OfASearchWithinABound) {
   const double bound = 1;
   const SmoothingResult all = smooth_within(smoother, bound);

@@ -1,5 +1,4 @@
-// Long work asks whether to go on, in proportion to the work, and what was cancelled is as if it
-// had not been asked.
+// Long work asks the progress callback in proportion to the work; a cancelled call leaves no trace.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -24,7 +23,7 @@ using test::ids;
 
 constexpr std::size_t kNever = SIZE_MAX;
 
-/// Counts the questions and says no to one of them, and to all after it.
+/// Counts the questions of the callback, and answers no from a chosen question on.
 class Answers {
  public:
   explicit Answers(std::size_t yes = kNever) : yes_(yes) {}
@@ -73,7 +72,7 @@ TEST(Asking, ADistanceIsAskedInProportionToItsWindows) {
   distance.set(std::span(&drawn, 1));
   distance.reach(1000);
   ASSERT_GT(distance.window_count(), 200'000U);
-  // A window is four units of work at least, once it spreads; a few are hidden before.
+  // A window costs at least four units of work when it spreads; a few hidden windows do not spread.
   EXPECT_GE(answers.asked(), 3 * distance.window_count() / Asker::kEvery);
 }
 
@@ -93,7 +92,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   }
   // Fairing moves every sample in at least two rounds on either level.
   EXPECT_GE(smoothing.of("fair"), 4 * drawn.points.size() / Asker::kEvery);
-  // With its rung kept there is another rung to be found, and the deviation.
+  // The rung at tau = 1 is kept; the next rung and the deviation are computed.
   options.tau = 1.01;
   smoother.smooth(options, again.progress());
   EXPECT_EQ(again.of("trace"), 0U);
@@ -101,7 +100,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   EXPECT_GE(again.of("measure"), 1U);
 }
 
-// What a distance has to march for, below tau = 1/8 and for the report, is asked about.
+// Marching to far distances, for tau < 1/8 and for the report, asks the callback.
 TEST(Asking, FarDistancesAreAskedAbout) {
   const auto opened = OpenedMesh::open(hills(150));
   const SurfaceCurve drawn = long_wave(opened->mesh(), 150);
@@ -159,7 +158,7 @@ SurfaceCurve fine_wave(const SurfaceMesh& mesh) {
   return straight_through(mesh, points, false);
 }
 
-/// One of each way that a smoother goes.
+/// One job for each code path of a smoother.
 std::vector<Job> jobs() {
   std::vector<Job> all;
   const auto hilly = OpenedMesh::open(hills(60));
@@ -190,7 +189,7 @@ std::vector<Job> jobs() {
   return all;
 }
 
-/// A moment in a call that asks so often.
+/// A random question of a call with `asked` questions.
 std::size_t moment(std::mt19937& random, std::size_t asked) {
   return std::uniform_int_distribution<std::size_t>(0, asked - 1)(random);
 }
@@ -255,7 +254,7 @@ TEST(Cancelling, SmoothingAtAnyMomentGivesTheDrawingAndChangesNothing) {
   }
 }
 
-// A callback may throw; what it throws comes out, and the smoother is as if it had not been asked.
+// An exception of the callback reaches the caller, and leaves the smoother unchanged.
 TEST(Cancelling, WhatACallbackThrowsComesOutAndChangesNothing) {
   struct Thrown {};
   std::mt19937 random(19);

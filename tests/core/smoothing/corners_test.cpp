@@ -1,4 +1,4 @@
-// At pins and way-points a fair curve has no kink, unless the point is said to be a corner.
+// A fair curve has no kink at pins and way-points, unless the point is a corner.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 constexpr double kOneDegree = std::numbers::pi / 180;
 constexpr std::uint32_t kCornerColumns = 40;
 
-/// The turn of a curve at one of its points, degrees; that of the drawing's ends is 0.
+/// The turn of a curve at one of its points, degrees; 0 at its ends.
 double turn_of(const Surface& surface, const SurfaceCurve& curve, std::size_t i) {
   const std::size_t n = curve.points.size();
   if (!curve.closed && (i == 0 || i + 1 == n)) return 0;
@@ -128,7 +128,7 @@ TEST_F(Corners, OfASplineBendAtAWayPoint) {
   EXPECT_LE(largest_turn_of(surface, smooth(drawn, options)), 5);
   options.corners = {corner};
   const SurfaceCurve curve = smooth(drawn, options);
-  EXPECT_GT(turn_of(surface, curve, corner), 30);  // it is met exactly, too
+  EXPECT_GT(turn_of(surface, curve, corner), 30);  // the result also passes it exactly
   EXPECT_LE(largest_turn_of(surface, curve, {corner}), 5);
 }
 

@@ -1,4 +1,4 @@
-// Curves that are smoothed in a corridor keep to it, hold and are round.
+// Curves smoothed in a corridor stay inside, do not collapse, and are round.
 #include <cmath>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// Drawn loops hold in the corridor: none collapses, whatever it goes around.
+// Drawn loops do not collapse in the corridor, on any surface.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,11 +19,11 @@ using test::grid;
 
 constexpr double kTaus[] = {0.25, 0.5, 1, 4};
 
-/// `smooth_length`: of the loop without its zigzag.
+/// `smooth_length`: the length of the loop without its zigzag.
 void expect_held(const SmoothingReport& report, double smooth_length) {
   EXPECT_EQ(report.termination, Outcome::kConverged);
   EXPECT_GE(report.after.length, smooth_length / 2);
-  // Rounder at its ends, which counts where it is one edge wide.
+  // A loop gets shorter by rounder ends, which matters for a loop of width one edge.
   EXPECT_LE(report.after.length, 1.1 * report.before.length);
   EXPECT_TRUE(std::isfinite(report.after.total_curvature));
   EXPECT_TRUE(std::isfinite(report.deviation_to_drawn_max));
@@ -55,8 +55,7 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
   return test::vertex_curve(surface, draw_edge_path(surface, vertices, true), true);
 }
 
-/// A set with a thin loop asks while it makes curves fair about what its curves ask each for
-/// itself.
+/// A set with a thin loop asks about as often during fairing as its curves alone.
 TEST(CorridorLoops, AThinOneHoldsAndCostsOthersNothing) {
   constexpr std::uint32_t kAcross = 60;
   const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
@@ -133,7 +132,7 @@ TEST(CorridorLoops, OnHills) {
     SCOPED_TRACE(testing::Message() << "radius " << radius);
     const auto points = test::circle({20, 20, 0}, {radius, 0, 0}, {0, radius, 0}, 12);
     const SurfaceCurve drawn = test::drawn_near(opened->mesh(), points, true);
-    // On the way over the hills it is no shorter than below them.
+    // The way over the hills is not shorter than the way below them.
     expect_holds(opened, drawn, 2 * std::numbers::pi * radius * 0.9);
   }
 }
@@ -162,7 +161,7 @@ TEST(CorridorLoops, AroundATube) {
       test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), way, true), true);
   const double around = 2 * columns * std::sin(std::numbers::pi / columns);
   expect_holds(opened, drawn, around);
-  // It cannot be shorter than the tube is round.
+  // A loop around the tube is not shorter than the tube's circumference.
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   EXPECT_GE(smoother.smooth(1).report().after.length, around * (1 - 1e-9));
@@ -183,7 +182,8 @@ TEST(CorridorLoops, AroundAHandle) {
                2 * std::numbers::pi * 4);
 }
 
-// A limb: a cone that ends in its apex. A loop around it could slip off; a short one lies near it.
+// A limb: a cone with its apex. A loop around the cone could slip off; a short loop lies near the
+// apex.
 TEST(CorridorLoops, AroundALimb) {
   const std::uint32_t columns = 32, rows = 40;
   MeshLists limb = test::tube(columns, rows, 6);
@@ -224,7 +224,7 @@ TEST(CorridorLoops, AlongTheBoundary) {
   }
 }
 
-// No vertex of the mesh lies inside these.
+// No vertex of the mesh lies inside these loops.
 TEST(CorridorLoops, ThinOnesOfOneEdge) {
   const auto opened = OpenedMesh::open(grid(40, 20));
   const auto rough = OpenedMesh::open(test::hills(40));

@@ -1,4 +1,4 @@
-// Curves that cross or touch themselves and each other: smoothed, with the crossings they had.
+// Curves that cross or touch themselves and each other are smoothed, and keep their crossings.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -58,7 +58,8 @@ TEST(CrossingCurves, InThePlaneAFigureEightTurnsLittleMoreThanItMust) {
   CurveSmoother smoother(opened);
   smoother.set_curve(straight_through(opened->mesh(), points, true));
   const SmoothingReport report = smoother.smooth(2.0).report();
-  // Each loop of that curve turns by 3 pi / 2 (it crosses itself at a right angle).
+  // Each loop of the figure eight turns by 3 pi / 2, because the curve crosses itself at a right
+  // angle.
   EXPECT_LT(report.after.total_curvature, 1.1 * 3 * kPi);
   EXPECT_GT(report.after.total_curvature, 0.9 * 3 * kPi);
   EXPECT_EQ(report.crossings_after, 1U);
@@ -75,7 +76,7 @@ TEST(CrossingCurves, TwiceAroundATube) {
   EXPECT_GT(result.report().after.length, 0.98 * 4 * kPi);
 }
 
-// The strip is as wide as the result needs, wherever that leads.
+// The strip grows until it contains the result, however far this is from the drawing.
 TEST(CrossingCurves, ALegFarFromItsDrawingIsStraight) {
   const auto opened = OpenedMesh::open(grid(60, 60));
   const Surface& surface = opened->surface();

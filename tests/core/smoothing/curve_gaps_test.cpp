@@ -1,4 +1,4 @@
-// How far apart the curves of a set are, where the answer is known.
+// Gaps between the curves of a set, compared with known values.
 #include "talweg/core/smoothing/curve_gaps.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(CurveGaps, OfRandomCurvesAreThoseOfAllPairs) {
       const double x = (24 - length) * unit(random);
       const double y = (24 - length) * unit(random);
       for (int k = 0; k < 3; ++k) {
-        const double across = length * unit(random);  // one statement each: the order is given
+        const double across = length * unit(random);  // separate statements fix the order
         const double along = length * unit(random);
         points.emplace_back(x + across, y + along, 0);
       }
@@ -121,7 +121,7 @@ TEST(CurveGaps, GoAlongTheSurface) {
   }
 }
 
-// Slacks that met would let the curves cross.
+// Overlapping slacks would let the curves cross.
 TEST(CurveGaps, KeepTheSlacksOfASetApart) {
   const auto opened = OpenedMesh::open(grid(kGapColumns, kGapColumns));
   const Surface& s = opened->surface();

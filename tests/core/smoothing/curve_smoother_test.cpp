@@ -223,7 +223,7 @@ TEST(CurveSmoother, CurvesOfASetKeepApart) {
 }
 
 TEST(CurveSmoother, ASetOverTwoComponentsIsTheTwoAlone) {
-  // A small grid and one ten times as large beside it: each has a characteristic length of its own.
+  // A small grid beside a grid ten times as large: each has its own characteristic length.
   const MeshLists small = grid(30, 20);
   MeshLists both = small;
   const auto shift = static_cast<std::uint32_t>(small.points.size());
@@ -318,7 +318,7 @@ TEST(CurveSmoother, CancelsAtAnyMoment) {
   EXPECT_EQ(smoother.smooth(1.0).report().termination, Outcome::kConverged);
 }
 
-// ---- the same drawing in other clothes ----
+// ---- invariance: the same drawing transformed ----
 
 struct Dressed {
   MeshLists lists;
@@ -359,7 +359,7 @@ TEST_P(Metamorphic, ScaleShiftAndNumberingDoNotMatter) {
     const char* name;
     double scale;
     Point shift;
-    double tolerance;  // of the mesh's size 1: rounding of coordinates moves crossings by so much
+    double tolerance;  // for a mesh of size 1: rounding moves crossings
   };
   const Case cases[] = {{"1e8", 1e8, Point::Zero(), 1e-9},
                         {"1e-8", 1e-8, Point::Zero(), 1e-9},
@@ -396,7 +396,8 @@ TEST_P(Metamorphic, ScaleShiftAndNumberingDoNotMatter) {
                              Point::Zero()),
             1e-9);
 
-  // Drawn the other way round (ties in the order of flips may fall differently: lengths agree).
+  // The reversed drawing. Ties in the order of flips may be broken differently, so lengths are
+  // compared.
   std::vector<VertexId> backwards(path.rbegin(), path.rend());
   const SmoothingOptions taut{.tau = tau, .finish = Finish::kTaut};
   const auto lifted_length = [&](const std::vector<VertexId>& along) {
@@ -471,8 +472,8 @@ TEST_P(OwnDistance, SmoothsTheReferenceCurves) {
   }
 }
 
-/// Took 19 minutes: what is far from these edges was asked for exactly, over thousands of needles,
-/// by one flip and by a bound of the deviation.
+/// A case that once took 19 minutes: one flip and one bound of the deviation asked for exact
+/// distances far from these edges, over thousands of needles.
 TEST(RealBuildings, ADrawingAlongLongEdgesAmongNeedles) {
   const std::filesystem::path path = test::mesh_folder() / "buildings_needles_400k.ply";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << test::missing(path.stem().string());

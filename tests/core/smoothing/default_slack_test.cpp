@@ -1,4 +1,4 @@
-// The slack that a curve has where none is given: as wide as its drawing trembles.
+// The default slack of a curve is the width of its drawing's trembling.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ SurfaceCurve over_row(const Surface& surface, const std::vector<double>& heights
     curve.points.push_back(here > 0 ? test::between(surface, low, high, here)
                                     : SurfacePoint::at_vertex(surface, at(i, 5)));
     if (i + 1 == heights.size()) break;
-    // Where it crosses the diagonal from (i, 5) to (i + 1, 6).
+    // The crossing with the diagonal from (i, 5) to (i + 1, 6).
     const double across = here / (1 - heights[i + 1] + here);
     if (across > 0) curve.points.push_back(test::between(surface, low, high + 1, across));
   }
@@ -56,7 +56,7 @@ TEST_F(DefaultSlack, ASquareWaveIsSevenTenthsOfItsStepWide) {
     const SurfaceCurve wave = test::square_wave(surface, kColumns, step, step);
     EXPECT_NEAR(slack_of(opened, wave), 0.7 * step, kTiny) << step;
   }
-  // The runs of 4 and steps of 2 are equally many but for one run more.
+  // There is one more run of 4 than steps of 2.
   EXPECT_NEAR(slack_of(opened, test::square_wave(surface, kColumns, 4, 2)), 0.7 * 4, kTiny);
 }
 
@@ -79,7 +79,7 @@ TEST_F(DefaultSlack, LongStraightRunsDoNotMakeItLarge) {
   std::vector<double> heights(kColumns + 1, 0);
   for (std::size_t i = 25; i < 37; i += 2) heights[i] = 0.5;
   EXPECT_NEAR(slack_of(opened, over_row(surface, heights)), 0.7 * std::hypot(1, 0.5), 1e-9);
-  // Where there is nothing else it is bounded by the length.
+  // A straight drawing has the slack of its length's bound.
   const SurfaceCurve row = over_row(surface, std::vector<double>(kColumns + 1, 0));
   EXPECT_NEAR(slack_of(opened, row), kColumns / 24.0, 1e-9);
 }
@@ -117,7 +117,7 @@ TEST_F(DefaultSlack, AFieldOfSlackMustFitTheMesh) {
   std::vector<double> field(surface.vertex_count(), 1);
   EXPECT_EQ(message(field), "");
   EXPECT_EQ(message({1, 2}), "There are 2 slacks for 1281 vertices.");
-  // What the curve does not touch is not looked at.
+  // Values at vertices away from the curve are not checked.
   field[at(20, 20).index()] = std::nan("");
   EXPECT_EQ(message(field), "");
   for (const double bad : {-1.0, HUGE_VAL, std::nan("")}) {
@@ -126,10 +126,10 @@ TEST_F(DefaultSlack, AFieldOfSlackMustFitTheMesh) {
   }
 }
 
-/// A smooth drawing does not tremble, however finely it is given.
+/// A smooth drawing has no trembling, at any density of points.
 TEST_F(DefaultSlack, OfASmoothDrawingIsSmall) {
   for (const std::uint32_t count :
-       {10U, 60U}) {  // squares: also where it is not along edges at all
+       {10U, 60U}) {  // squares: also for a drawing that is not along edges
     MeshLists lists = grid(count, count);
     for (Point& p : lists.points) p *= 10.0 / count;
     const auto opened = OpenedMesh::open(lists);

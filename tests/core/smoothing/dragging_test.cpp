@@ -1,4 +1,4 @@
-// Dragging a part of a drawing: near what the changed drawing gives, and elsewhere as it was.
+// Dragging a part of a drawing: near the result of the changed drawing, and unchanged elsewhere.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -15,7 +15,7 @@ namespace talweg {
 namespace {
 
 constexpr std::uint32_t kSize = 160;
-// Edges. Of several geodesics of about the same length in the same valley either may be found.
+// In edges: the result may be another of several geodesics of about the same length in a valley.
 constexpr double kSame = 1;
 
 class Dragging : public testing::Test {
@@ -51,7 +51,7 @@ class Dragging : public testing::Test {
 
   void set(const SurfaceCurve& curve) { smoother.set_curve(curve); }
 
-  /// What the drawing gives with the slack of the one that is set.
+  /// The full result for a moved drawing, with the slack of the drawing that is set.
   [[nodiscard]] SurfaceCurve in_full(const SurfaceCurve& moved, SmoothingOptions options) const {
     options.slack = smoother.slack().front();
     return smooth_curve(hills(), moved, options).curve();
@@ -59,7 +59,7 @@ class Dragging : public testing::Test {
   static double apart(const SurfaceCurve& a, const SurfaceCurve& b) {
     return test::apart(hills()->mesh(), a, b);
   }
-  /// Points of the first curve, bit for bit in the second.
+  /// The number of points of the first curve that the second has, bit for bit.
   static std::size_t shared(const SurfaceCurve& a, const SurfaceCurve& b) {
     return static_cast<std::size_t>(
         std::count_if(a.points.begin(), a.points.end(), [&](const SurfacePoint& p) {
@@ -82,13 +82,13 @@ TEST_F(Dragging, GivesAboutWhatTheChangedDrawingGives) {
     EXPECT_GT(apart(dragged.curve(), before), 2 * edge);
     EXPECT_LT(apart(dragged.curve(), in_full(moved, {.tau = tau})), kSame * edge);
     EXPECT_LT(dragged.report().deviation_to_drawn_max, 3 * edge);
-    // Far from the change nothing is touched.
+    // Points far from the change are unchanged.
     EXPECT_GT(shared(before, dragged.curve()), before.points.size() / 4);
   }
 }
 
-/// As hosts say of strokes: the points that were painted. Those of the stroke that is smoothed anew
-/// are other ones.
+/// Hosts list the painted points of a stroke. A moved stroke has other points, which are not in the
+/// list.
 TEST_F(Dragging, OfAStrokeWhosePointsWerePaintedIsTheSame) {
   set(wave());
   smoother.smooth(1);
@@ -223,14 +223,14 @@ TEST_F(Dragging, RefusesWhatItCannotDo) {
     }
     return std::optional<ErrorCode>();
   };
-  EXPECT_EQ(code_of(0, wave(), 1), ErrorCode::kBadUsage);  // nothing is set
+  EXPECT_EQ(code_of(0, wave(), 1), ErrorCode::kBadUsage);  // no curve is set
   set(wave());
   EXPECT_EQ(code_of(1, wave(), 1), ErrorCode::kBadUsage);
   EXPECT_EQ(code_of(0, wave(), -1), ErrorCode::kBadUsage);
   SurfaceCurve twice = wave();
   twice.points.insert(twice.points.begin() + 60, twice.points[58]);
   EXPECT_EQ(code_of(0, twice, 1), ErrorCode::kBadCurve);
-  EXPECT_FALSE(code_of(0, wave(9, 6), 1));  // as if nothing had been asked
+  EXPECT_FALSE(code_of(0, wave(9, 6), 1));  // as before the cancelled call
   CurveOptions paper;
   paper.method = Method::kPaper;
   smoother.set_curve(wave(), paper);

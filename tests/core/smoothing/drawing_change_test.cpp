@@ -18,7 +18,7 @@ SurfaceCurve curve(std::initializer_list<std::uint32_t> vertices, bool closed) {
   return test::vertex_curve(plane(), ids(vertices), closed);
 }
 
-/// What lies between the kept points, by vertex.
+/// The changed vertices between the kept points.
 std::vector<std::size_t> between(const SurfaceCurve& c, std::size_t front, std::size_t back) {
   std::vector<std::size_t> result;
   for (std::size_t i = front; i + back < c.points.size(); ++i) {
@@ -53,7 +53,7 @@ TEST(DrawingChange, AtTheEndsOfAnOpenCurve) {
 }
 
 TEST(DrawingChange, OfPointsThatComeTwiceCountsNoneTwice) {
-  // The front takes 0 1 2; the back may only have what is left.
+  // The front keeps 0 1 2; the back may keep only the remaining points.
   const DrawingChange change = change_between(curve({0, 1, 2, 3}, false), curve({0, 1, 2}, false));
   EXPECT_EQ(change.kept_before + change.kept_after, 3U);
   EXPECT_TRUE(come(change).empty());

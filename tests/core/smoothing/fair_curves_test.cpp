@@ -30,7 +30,7 @@ double bending(const SurfaceMesh& mesh, const SurfaceCurve& curve, double edge) 
   return measure_curve(mesh.surface(), curve, edge).bending;
 }
 
-// A zigzag around a circle of the plane: the fair loop is that circle, but for the wall's width.
+// A zigzag around a circle of the plane: the fair loop is the circle, up to the width of the walls.
 TEST(FairCurve, OfAJaggedCircleIsRoundAndOfItsSize) {
   const auto opened = OpenedMesh::open(test::grid(60, 60));
   for (const double radius : {6.0, 12.0, 22.0}) {

@@ -1,4 +1,4 @@
-// Detours that straightening cuts off are in the fair curve.
+// Fair curves follow detours that straightening cuts off.
 #include <algorithm>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// A corridor's result follows from tau and the drawing, not from what was asked before.
+// A corridor's result depends on tau and the drawing, not on earlier calls.
 #include <algorithm>
 #include <optional>
 #include <random>
@@ -14,7 +14,7 @@ namespace {
 
 class FairLadderTest : public testing::Test {
  protected:
-  /// From a smoother that was asked nothing else.
+  /// The result of a new smoother.
   [[nodiscard]] std::vector<SurfacePoint> fresh(const SmoothingOptions& options) const {
     return smooth_curve(opened, drawn, options).curve().points;
   }
@@ -83,7 +83,7 @@ TEST_F(FairLadderTest, ACancelledCallLeavesNothingBehind) {
     const Progress progress = [&](const char*, double) { return left-- > 0; };
     const SmoothingResult result = asked.smooth(options, progress);
     if (result.report().termination != Outcome::kCancelled) {
-      EXPECT_GT(polls, 0);  // it was done before
+      EXPECT_GT(polls, 0);  // the chains are kept
       EXPECT_EQ(result.curve().points, expected);
     }
     EXPECT_EQ(asked.smooth(1.5).curve().points, expected) << polls;
@@ -91,7 +91,8 @@ TEST_F(FairLadderTest, ACancelledCallLeavesNothingBehind) {
   }
 }
 
-/// Steps of 1 % of tau, and those in which the result moved by more than a fifth of an edge.
+/// The number of steps of 1 % in tau, and of steps in which the result moved by more than a fifth
+/// of an edge.
 struct Sweep {
   int steps = 0, jumps = 0;
 };
@@ -137,7 +138,7 @@ TEST_F(FairLadderTest, PinsAreMetAndTakenBack) {
     EXPECT_EQ(std::count(expected.begin(), expected.end(), pin), 0);
     EXPECT_EQ(std::count(pinned.begin(), pinned.end(), pin), 1);
   }
-  // Its own pins, the same as from the start, and none again.
+  // Pins set again, pins set from the start, and no pins give consistent results.
   asked.set_pins(asked.pins());
   EXPECT_EQ(asked.smooth(1.5).curve().points, pinned);
   CurveSmoother from_start(opened);

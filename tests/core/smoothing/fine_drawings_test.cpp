@@ -1,4 +1,4 @@
-// Drawings that are finer than the mesh are smoothed as on a mesh that is as fine as they are.
+// Drawings finer than the mesh are smoothed as on a mesh of their fineness.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,7 +71,7 @@ TEST(FineDrawings, CostAboutTheirPointsNotTheirSquare) {
     flips.push_back(
         static_cast<double>(smoother.smooth({.tau = 1, .finish = Finish::kTaut}).report().flips));
   }
-  EXPECT_LT(flips[1], 24 * flips[0]);  // 64 times as many, and more, without
+  EXPECT_LT(flips[1], 24 * flips[0]);  // without division, 64 times as many and more
 }
 
 TEST(FineDrawings, GeodesicsStayStraight) {
@@ -167,7 +167,7 @@ TEST(FineDrawings, StayWithinABound) {
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LE(result.report().deviation_to_drawn_max, 0.1);
   EXPECT_LE(result.report().deviation_from_drawn_max, 0.1);
-  // The drawing is smooth, so there is nothing to gain.
+  // The drawing is smooth, so division would gain nothing.
   EXPECT_LE(result.report().after.total_curvature, 1.1 * result.report().before.total_curvature);
 }
 
@@ -204,8 +204,8 @@ TEST(FineDrawings, OfASetDoNotCross) {
             0.05);
 }
 
-// Below tau = 1/8 a result may lead anywhere; what is divided is what it comes to, and not what
-// lies beyond.
+// For tau < 1/8 a result may be anywhere; only the faces that it reaches are divided, not the faces
+// beyond.
 TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
   const auto asked_on = [](std::uint32_t count) {
     MeshLists lists = grid(count, count);
@@ -225,8 +225,8 @@ TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
   EXPECT_LE(many, few + few / 4);
 }
 
-// The chord of a semicircle lies farther from it than any result at tau >= 1/8 can, so a larger
-// part of the mesh is divided for it, which asks; twice as large, not all of it.
+// The chord of a semicircle is farther from it than any result for tau >= 1/8. A part of the mesh
+// with twice the reach is therefore divided, not the whole mesh.
 TEST(FineDrawings, ThatLeadFarAreFollowed) {
   const auto opened = OpenedMesh::open(grid(300, 300));
   const Point centre(150.3, 80.2, 0);

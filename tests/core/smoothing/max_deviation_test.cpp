@@ -35,8 +35,8 @@ class MaxDeviation : public testing::Test {
   const SurfaceCurve drawn = with_spike(opened->surface());
 };
 
-/// The meter promises 1e-3 of the distance or of a mean segment, whichever is more, and may find
-/// another point of that size than the search did.
+/// The bound with the tolerance of DeviationMeter: 1e-3 of the distance or of a mean segment,
+/// whichever is larger.
 double with_meter(double bound) { return bound * (1 + 1e-3) + 1e-3; }
 
 ErrorCode code_of(CurveSmoother& smoother, double bound, const SmoothingOptions& options = {}) {
@@ -66,7 +66,7 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
   }
 }
 
-// A wide bound is made use of: no slack that a hand would try is much smoother within it.
+// The search uses a wide bound: no fixed slack gives a much smoother curve within it.
 TEST_F(MaxDeviation, OfTheWholeRoomUseIsMade) {
   const auto hills = OpenedMesh::open(test::hills(40));
   const SurfaceCurve wave = test::wave_on_hills(hills->mesh());
@@ -98,9 +98,9 @@ TEST_F(MaxDeviation, ASpikeTakesItsTurns) {
   // Up and down a spike of 10 from within 1 of its foot to within 1 of its top, at most 4 wide:
   // turns of nearly half a circle at the top and of a quarter at each foot.
   EXPECT_GT(result.report().after.total_curvature, 2 * std::numbers::pi * 0.8);
-  // The zigzag beside it is gone.
+  // The zigzag beside the spike is smoothed away.
   EXPECT_LT(result.report().after.total_curvature, result.report().before.total_curvature / 3);
-  // A bound as large as the spike lets all of it go.
+  // A bound as large as the spike allows the result to cut it off.
   const SmoothingResult wide = smooth_within(smoother, 11);
   EXPECT_LT(wide.report().after.total_curvature, 0.1);
   EXPECT_EQ(wide.report().pins_added, 0U);
@@ -176,8 +176,8 @@ TEST_F(MaxDeviation, OneOfHardlyAnythingEndsTheSearch) {
   EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), 1e-7);
 }
 
-// A quarter of a circle in unit steps, to the right and down: with so much slack only pins hold it,
-// and a search does not set one at each of 290 corners.
+// A quarter of a circle in unit steps, to the right and down. With such a wide slack only pins hold
+// the curve, and the search does not pin each of the 290 corners.
 TEST_F(MaxDeviation, OneThatCannotBeKeptIsTold) {
   const std::uint32_t n = 150;
   const auto sheet = OpenedMesh::open(grid(n, n));
@@ -197,7 +197,7 @@ TEST_F(MaxDeviation, OneThatCannotBeKeptIsTold) {
   EXPECT_EQ(result.report().termination, Outcome::kDeviation);
   ASSERT_FALSE(result.report().warnings.empty());
   EXPECT_NE(result.report().warnings.back().find("of the drawing was found"), std::string::npos);
-  // The nearest that was found, so far nearer than what there is without pins.
+  // The result is the nearest curve found, far nearer than without pins.
   EXPECT_LT(apart, 2);
   EXPECT_TRUE(smoother.pins().empty());
 }

@@ -1,4 +1,4 @@
-// A drawing that meets itself may miss what it was to pass, and then says so.
+// The result of a drawing that meets itself may miss points to pass; the report then contains them.
 #include <algorithm>
 #include <iterator>
 #include <memory>

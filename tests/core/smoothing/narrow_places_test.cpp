@@ -1,4 +1,4 @@
-// A curve whose slack is narrow at a spike is fair there, too.
+// A curve with a narrow slack at a spike is fair there, too.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -40,7 +40,7 @@ class NarrowPlacesTest : public testing::Test {
   [[nodiscard]] static bool is_narrow(const Point& at) {
     return at.x() > 27 && at.x() < 35 && at.y() > 13;
   }
-  /// From left to right, along these in the middle.
+  /// A trembling way from left to right, through `middle`.
   [[nodiscard]] static Way trembling(const Way& middle) {
     Way way;
     for (std::uint32_t k = 2; k <= 26; k += 2) way.push_back({k, 14 + k / 2 % 2});
@@ -63,7 +63,7 @@ class NarrowPlacesTest : public testing::Test {
     }
     return kinks;
   }
-  /// Within the walls that it was given, and nowhere worse than it has to be.
+  /// The result is within its walls, and fair except at the narrow spike.
   void expect_fair(const Drawing& drawing) const {
     const SmoothingResult result = smoothed(drawing);
     for (const std::string& warning : result.report().warnings) {

@@ -1,4 +1,4 @@
-// Clicks beside clicks: a hand that clicks twice means one point.
+// Near clicks are merged: a double click means one point.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ class NearClicks : public testing::Test {
     smoother.set_curve(drawn(clicks, closed), options);
     return smoother.smooth(1);
   }
-  /// How far the result passes from a click.
+  /// The distance of the result from a click.
   [[nodiscard]] double missed(const SmoothingResult& result, double x, double y) const {
     const std::vector<Point> at{Point(x, y, 0), Point(x, y, 0)};
     return deviation(at, false, positions_of(opened->mesh(), result.curve()), result.curve().closed)
@@ -72,7 +72,7 @@ TEST_F(NearClicks, NoneIsLostWhereNoneAreOne) {
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_TRUE(result.report().warnings.empty()) << result.report().warnings.front();
   for (const auto& [x, y] : twice) EXPECT_LT(missed(result, x, y), 1e-6);
-  // What is far from the doubled click is as round as without it.
+  // Far from the double click, the result is as round as without it.
   const SmoothingResult once = smoothed(kRing, true);
   std::vector<Point> far;
   for (const Point& p : positions_of(opened->mesh(), result.curve())) {
@@ -132,7 +132,7 @@ TEST_F(NearClicks, AClickThatIsPassedTwiceStaysThoughAnotherIsBesideIt) {
   EXPECT_LT(missed(smoother.smooth(1), 12, 4), 1e-6);
 }
 
-/// Way-points say nothing of the way between them, so it may cross itself.
+/// Way-points do not define the way between them, so the way may cross itself.
 TEST_F(NearClicks, LegsThatCrossAreAsRoundAsOthers) {
   const std::vector<std::array<double, 2>> eight{{16, 16}, {21, 15}, {21, 9}, {16, 8},
                                                  {8, 16},  {3, 15},  {3, 9},  {8, 8}};

@@ -1,4 +1,4 @@
-// Options out of range: one sentence that names the field, and nothing is changed by it.
+// Options out of range give one sentence with the name of the field, and change nothing.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -15,7 +15,8 @@ namespace {
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A change of one field that validate() must refuse by a sentence with the field's name.
+/// A bad value of one field; validate() must refuse it with a sentence that contains the field's
+/// name.
 template <class Options>
 struct Fault {
   const char* field;

@@ -1,4 +1,4 @@
-// Curves of one set with a tau, a slack and a finish of their own.
+// Curves of one set with separate tau, slack and finish.
 #include <cmath>
 #include <optional>
 #include <string>
@@ -27,7 +27,7 @@ class PerCurveOptions : public testing::Test {
     smoother.set_curves(curves);
     return smoother.smooth(options);
   }
-  /// Each curve is what it is where its own options are those of all.
+  /// Each curve equals its result when its options are used for all curves.
   void expect_as_common(const SmoothingOptions& options) const {
     const SmoothingResult own = smooth(options);
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -37,7 +37,7 @@ class PerCurveOptions : public testing::Test {
       common.finish = options.finish_of(c);
       common.slack = options.slack_of(c);
       const SmoothingResult all = smooth(common);
-      // Other slacks of others only change the order in which distances are found.
+      // Slacks of other curves only change the order in which distances are computed.
       EXPECT_LT(test::apart(opened->mesh(), own.curves[c], all.curves[c]), 1e-8) << c;
       EXPECT_EQ(own.reports[c].tau, common.tau);
       EXPECT_EQ(own.reports[c].slack, all.reports[c].slack);
@@ -118,7 +118,7 @@ TEST_F(PerCurveOptions, WhatWasAskedBeforeChangesNothing) {
   }
 }
 
-// Each of them leads its neighbour where it does not lie by itself.
+// Smoothed alone, a curve of small tau might cross its neighbour of large tau.
 TEST_F(PerCurveOptions, CurvesOfDifferentTausDoNotCross) {
   const std::vector<SurfaceCurve> near = {wave(18), wave(19), wave(20)};
   for (const SmoothingOptions& options : {

@@ -1,4 +1,5 @@
-// Drawings that are finer than the mesh: the result follows them, whatever the faces are like.
+// Refined meshes are the same surface with smaller faces, and results follow drawings finer than
+// the mesh.
 #include "talweg/core/smoothing/refined_mesh.hpp"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 TEST(RefinedMesh, IsTheSameSurfaceInSmallerFaces) {
   for (const MeshLists& lists : {sheet(1), box(), tube(5, 3, 2), torus(7, 5)}) {
     const SurfaceMesh mesh = SurfaceMesh::open(lists);
-    // From the middle of the first face to those of its neighbours and theirs.
+    // The drawing runs from the middle of the first face to the middles of its neighbours and of
+    // their neighbours.
     const FaceId first{0U};
     SurfaceCurve drawn;
     drawn.points.push_back(SurfacePoint::in_face(mesh.surface(), first, {0.2, 0.5, 0.3}));

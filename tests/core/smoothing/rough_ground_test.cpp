@@ -1,4 +1,4 @@
-// On rough meshes curves are fair as they are seen from outside.
+// On rough meshes curves are fair when seen from outside.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -23,7 +23,7 @@ std::shared_ptr<const OpenedMesh> rough_sphere(double rough) {
   return OpenedMesh::open(rough > 0 ? roughened(std::move(lists), rough * h) : lists);
 }
 
-/// Clicks around the equator, by turns above and below it.
+/// Clicks around the equator, alternately above and below it.
 std::vector<VertexId> clicks() {
   const MeshLists lists = test::sphere(kLevels);
   std::vector<VertexId> result;
@@ -50,7 +50,7 @@ SmoothingResult clicked(const std::shared_ptr<const OpenedMesh>& opened) {
   return smoother.smooth();
 }
 
-/// Where the same points of the faces lie on the sphere without the noise.
+/// The positions of the same points of faces on the sphere without noise.
 std::vector<Point> without_noise(const SurfaceCurve& curve) {
   static const SurfaceMesh smooth = SurfaceMesh::open(test::sphere(kLevels));
   std::vector<Point> places;
@@ -108,7 +108,7 @@ TEST(RoughGround, TautCurvesAreGeodesicsOfTheMeshAsItIs) {
         turning_angle(opened->surface(), curve.points[i - 1], curve.points[i], curve.points[i + 1]),
         1e-5);
   }
-  // And back: what is fair does not depend on what was asked before.
+  // And back: the fair result does not depend on earlier calls.
   const SmoothingResult fair = smoother.smooth(1), again = smooth_curve(opened, drawn);
   EXPECT_EQ(fair.curves[0].points, again.curves[0].points);
 }

@@ -1,4 +1,4 @@
-// At the limits of what is taken, tiny and huge, results are those of the mesh in its own unit.
+// Results for meshes at the smallest and largest supported scales equal those at scale 1.
 #include <cmath>
 #include <vector>
 
@@ -10,7 +10,7 @@
 namespace talweg::test {
 namespace {
 
-/// Positions of a smoothed drawing across hills in this unit, and of the mesh that is cut by it.
+/// Positions of a smoothed drawing across hills, and of the mesh cut along it, divided by the unit.
 struct Scaled {
   std::vector<Point> smoothed, cut;
   double curvature = 0;
@@ -38,7 +38,7 @@ Scaled at_scale(double unit, Method method) {
 }
 
 TEST(ScaleLimits, ResultsAreThoseOfTheMeshInItsOwnUnit) {
-  const double size = 100;  // more than the hills have
+  const double size = 100;  // larger than the hills
   for (const Method method : {Method::kCorridor, Method::kPaper}) {
     const Scaled expected = at_scale(1, method);
     ASSERT_GT(expected.smoothed.size(), 10U);

@@ -1,4 +1,4 @@
-// What smoothing says about itself when something is special: cancelled, needles, blocked, bumps.
+// Reports of special outcomes: cancelled, needles, blocked, bumps.
 #include <algorithm>
 #include <cmath>
 
@@ -52,10 +52,12 @@ TEST(SmoothingOutcomes, NeedlesAreToldAndHarmless) {
       test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), row, false), false);
   const SmoothingResult result = smooth_curve(opened, drawn, {}, {.method = Method::kPaper});
   EXPECT_TRUE(has_warning(result.report(), "Needle triangles"));
-  // Next to nothing would do for the needle: at most 1e-5 mean edges are added (mollification.hpp).
+  // The needle needs hardly any mollification: at most 1e-5 mean edges are added
+  // (mollification.hpp).
   EXPECT_GT(result.report().mollification, 0);
   EXPECT_LE(result.report().mollification, 1e-5 * opened->mesh().mean_edge_length());
-  EXPECT_EQ(smooth_curve(opened, drawn).report().mollification, 0);  // the corridor needs none
+  EXPECT_EQ(smooth_curve(opened, drawn).report().mollification,
+            0);  // the corridor needs no mollification
   EXPECT_LT(result.report().after.length, result.report().before.length);
 }
 
@@ -85,7 +87,7 @@ TEST(SmoothingOutcomes, PathsBecomeStraightOverPleatsWithoutWidth) {
   }
 }
 
-// Found by random runs: a scan far from the origin whose coordinates fell together.
+// Found by random runs: a scan far from the origin with coordinates rounded together.
 TEST(SmoothingOutcomes, ACurveOverFacesWithoutExtentIsRefusedWithItsPlace) {
   MeshLists lists = grid(6, 6);
   for (std::size_t v = 0; v < 21; ++v) lists.points[v] = Point(2, 0.5, 1);
@@ -127,8 +129,8 @@ TEST(SmoothingOutcomes, AJointThatAnotherCurveHoldsIsTold) {
 }
 
 TEST(SmoothingOutcomes, ABumpOverAConstantSlopeChangesNothingButTheValley) {
-  // Equation 3 averages symmetrically, so away from the drawing and the boundary, where the
-  // distance is linear, it stays what it is; at the drawing, where it is convex, it rises.
+  // Equation 3 averages symmetrically. Away from the drawing and the boundary, where the distance
+  // is linear, the distance is unchanged; at the drawing, where it is convex, it rises.
   const auto opened = OpenedMesh::open(grid(40, 40));
   std::vector<VertexId> row;
   for (std::uint32_t i = 0; i <= 40; ++i) row.emplace_back(20 * 41 + i);

@@ -1,4 +1,4 @@
-// Where nothing is lifted no distance is needed, and a report measures far distances through space.
+// Without a lift no distance is computed, and a report measures far deviations through space.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -61,8 +61,8 @@ TEST(StraightResults, CostWhatStraighteningCosts) {
   const SurfaceCurve drawn = winding(opened->mesh(), 160);
   const Outcome straight = outcome_of(opened, drawn, 0), unfelt = outcome_of(opened, drawn, 1e-6),
                 felt = outcome_of(opened, drawn, 0.05);
-  // FlipOut asks once in 64 of its steps, and the distances along the edges that it has looked at
-  // cost no more; the rest is one question for each stage, and the deviation through space.
+  // FlipOut asks once in 64 steps, and the distances along the edges that it has visited cost no
+  // more. Further questions are one per stage, and those of the deviation through space.
   const std::size_t flip_out = straight.result.report().iterations / 32;
   EXPECT_LT(straight.asked, flip_out + 100);
   EXPECT_LT(unfelt.asked, 2 * flip_out + 100);
@@ -86,8 +86,8 @@ TEST(StraightResults, AreThoseOfAFlatPotentialAndOfTausThatAreNotFelt) {
   }
 }
 
-// From the smallest tau that is felt to the next one the curve gets no longer than by what is not
-// felt: 1e-7 of its length.
+// At the smallest tau with an effect, the length differs from the geodesic's by about the ignored
+// fraction of 1e-7.
 TEST(StraightResults, GrowIntoLiftedOnes) {
   const auto opened = OpenedMesh::open(hills(60));
   CurveSmoother smoother(opened);

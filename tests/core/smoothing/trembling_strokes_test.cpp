@@ -10,8 +10,8 @@
 namespace talweg {
 namespace {
 
-/// A stroke of 1,879 points that trembles by nine edges at random. Where fairing started from the
-/// drawing with fine samples it bent by 153.
+/// A stroke of 1,879 points with random trembling of nine edges. Fairing that starts from the
+/// drawing with fine samples ends at a bending of 153.
 TEST(TremblingStrokes, AreFairAllAlong) {
   constexpr std::uint32_t kColumns = 900;
   const auto opened = OpenedMesh::open(test::grid(kColumns, 40));

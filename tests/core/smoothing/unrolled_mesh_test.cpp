@@ -21,7 +21,8 @@ using namespace test;
 
 constexpr double kPi = std::numbers::pi;
 
-// The strip is closed where the drawing begins, unless it only dips into a face there.
+// The strip can be closed where the drawing begins, unless the drawing enters and leaves a face
+// there across one edge.
 TEST(UnrolledMesh, WhereverTheDrawingBeginsNoTurnIsLost) {
   const MeshLists lists = tube(48, 60, 8);
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
@@ -32,7 +33,7 @@ TEST(UnrolledMesh, WhereverTheDrawingBeginsNoTurnIsLost) {
     std::rotate(turned.points.begin(), turned.points.begin() + static_cast<std::ptrdiff_t>(start),
                 turned.points.end());
     const UnrolledMesh strip = unroll(mesh, std::span(&turned, 1), {true}, 2);
-    // Not a whole copy of the mesh instead, on which the turns cannot be told apart.
+    // The result must not be a whole copy of the mesh, on which the turns coincide.
     EXPECT_NE(strip.face_of.size(), lists.triangles.size()) << start;
     const SurfaceMesh laid = SurfaceMesh::open(strip.lists);
     const std::vector<SurfaceCurve> there =
@@ -74,11 +75,11 @@ MeshLists plate_with_holes(std::uint32_t size) {
   return lists;
 }
 
-// The ways around a handle come back to where they were, and not to another copy of it.
+// The two ways around a handle meet at one copy of a face, not at two copies.
 TEST(UnrolledMesh, HandlesAreLaidOutOnce) {
   const MeshLists lists = plate_with_holes(36);
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  ASSERT_EQ(2 * mesh.surface().edge_count(), 3 * lists.triangles.size());  // it is closed
+  ASSERT_EQ(2 * mesh.surface().edge_count(), 3 * lists.triangles.size());  // a closed mesh
   const SurfaceCurve drawn = vertex_curve(
       mesh.surface(), along_grid(37, {{{3, 9}, {30, 9}, {30, 30}, {18, 30}, {18, 3}}}), false);
   const UnrolledMesh strip = unroll(mesh, std::span(&drawn, 1), {true}, 5);

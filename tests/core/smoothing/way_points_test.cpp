@@ -1,4 +1,4 @@
-// Through way-points, the result is a spline: it passes them, without a kink, for every tau.
+// Through way-points, the result is a spline without kinks, for every tau.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,7 +62,7 @@ class WayPointsOnHills : public WayPoints {
 const std::vector<std::pair<std::uint32_t, std::uint32_t>> kWave = {
     {5, 10}, {17, 30}, {30, 12}, {40, 33}, {54, 25}};
 
-/// As programs give them that compute barycentric coordinates.
+/// Clicks with rounded barycentric coordinates, as other programs compute them.
 TEST_F(WayPointsOnHills, MayLieARoundingBesideVertices) {
   const auto smooth_through = [&](double beside) {
     std::vector<SurfacePoint> clicks;
@@ -128,7 +128,8 @@ TEST_F(WayPoints, ARegularPolygonIsRoundedToItsCircle) {
   const SurfaceCurve result = smooth(1).curve();
   for (const SurfacePoint& point : result.points) {
     const Point p = opened->mesh().position(point);
-    EXPECT_NEAR(std::hypot(p.x() - 30, p.y() - 30), radius, 0.8);  // clicks are up to 0.6 off
+    EXPECT_NEAR(std::hypot(p.x() - 30, p.y() - 30), radius,
+                0.8);  // distances of clicks are up to 0.6
   }
   EXPECT_NEAR(curve_length(surface(), result), 2 * std::numbers::pi * radius, 1.5);
 }
@@ -298,7 +299,8 @@ TEST_F(WayPointsOnHills, TheWayDrawnBetweenThemMayBeAsFineAsItLikes) {
   drawn = before;  // many points inside faces
   const SmoothingResult again = smooth(1);
   EXPECT_EQ(again.total.engine, Engine::kLocal);
-  // Another way is another start: as near as when a point is inserted on the curve.
+  // Another drawing gives another start, so the results agree only as nearly as after inserting a
+  // point.
   EXPECT_LE(test::apart(opened->mesh(), again.curve(), before), 0.1);
 }
 
@@ -331,7 +333,7 @@ class WayPointsOnASaddle : public WayPoints {
 };
 
 TEST_F(WayPointsOnASaddle, NoKinkIsLeftAtItsVertex) {
-  // The shortest way between points that do not quite face each other bends at the apex.
+  // The shortest way between points that are not quite opposite bends at the apex.
   const auto on_ring = [](std::uint32_t r, std::uint32_t s) {
     return VertexId{1 + (r - 1) * 24 + s};
   };
