@@ -83,7 +83,7 @@ RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps 
 /// and memory are those of repair().
 void try_repair(const MeshLists& lists, MeshInspection& inspection);
 
-/// A usable mesh in which vertices at the same place have been welded.
+/// A mesh in which vertices at the same place have been welded.
 struct WeldedMesh {
   std::string steps;     ///< for repair_steps(): "weld", and the steps that must follow it
   double tolerance = 0;  ///< mesh units: that of the steps; 0 where positions are the same
@@ -94,8 +94,8 @@ struct WeldedMesh {
 
 /// The result of welding where vertices lie at the same place, as in a soup of single triangles, or
 /// nearly coincide (near_vertices()), whichever joins more. Nothing if welding joins no parts and
-/// closes no boundary, or if the mesh is not usable before or after. Time and memory are those of
-/// repair().
+/// closes no boundary, or if the mesh is not usable, with other steps at least, before or after.
+/// Time and memory are those of repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
 /// The same with near_vertices(lists, before), where it is known.
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,
