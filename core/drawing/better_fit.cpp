@@ -37,15 +37,20 @@ Box box_of(std::span<const Point> points) {
   return box;
 }
 
-/// What would be done to positions: each coordinate is multiplied, then moved.
+/// What would be done to positions: they are turned or scaled, then moved.
 struct Change {
-  Point factors = Point::Ones();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Point shift = Point::Zero();
   std::string words;
+  double scale = 1;  ///< of `turn`
 };
 
 std::string numbers(const Point& p) {
   return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
+}
+
+Change moved_by(const Point& shift, const char* what) {
+  return {Eigen::Matrix3d::Identity(), shift, fmt::format("moved by {}{}", numbers(shift), what)};
 }
 
 /// Moves by round numbers that bring the centre of positions near that of the mesh.
@@ -53,23 +58,31 @@ void add_round_moves(const Point& way, double size, std::vector<Change>& changes
   double step = std::pow(10, std::floor(std::log10(way.cwiseAbs().maxCoeff())));
   for (int k = 0; k < kMostSteps && step >= kLeastStepOfSize * size; ++k, step /= 10) {
     const Point shift = step * (way / step).array().round().matrix();
-    changes.push_back({Point::Ones(), shift, fmt::format("moved by {}", numbers(shift))});
+    changes.push_back(moved_by(shift, ""));
   }
 }
 
+/// Other axes: RAS and LPS; z up in Blender, y up in glTF and in OBJ files that Blender exports.
+std::vector<Change> turns() {
+  Eigen::Matrix3d patient = Eigen::Matrix3d::Identity(), up;
+  patient(0, 0) = patient(1, 1) = -1;
+  up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+  return {
+      {patient, Point::Zero(), "with x and y turned, as between RAS and LPS"},
+      {up, Point::Zero(), "as (x, z, -y), as where z is up in it and y in the mesh"},
+      {up.transpose(), Point::Zero(), "as (x, -z, y), as where y is up in it and z in the mesh"}};
+}
+
 std::vector<Change> changes_for(const Box& mesh, const Box& drawing, double mean, double edge) {
-  std::vector<Change> changes{
-      {Point(-1, -1, 1), Point::Zero(), "with x and y turned, as between RAS and LPS"}};
+  std::vector<Change> changes = turns();
   for (const double factor : {10.0, 100.0, 1000.0, 25.4, 0.1, 0.01, 1e-3, 1 / 25.4}) {
-    changes.push_back({Point::Constant(factor), Point::Zero(),
-                       fmt::format("scaled by {:.6g}, as in another unit", factor)});
+    changes.push_back({factor * Eigen::Matrix3d::Identity(), Point::Zero(),
+                       fmt::format("scaled by {:.6g}, as in another unit", factor), factor});
   }
   const Point centre = mesh.centre();
   if (centre.norm() > edge) {
     for (const double sign : {1.0, -1.0}) {
-      changes.push_back(
-          {Point::Ones(), sign * centre,
-           fmt::format("moved by {}, the centre of the mesh's box", numbers(sign * centre))});
+      changes.push_back(moved_by(sign * centre, ", the centre of the mesh's box"));
     }
   }
   if (mean > kAwayOfSize * mesh.diagonal()) {
@@ -112,10 +125,10 @@ std::string better_fit(const SurfaceMesh& mesh, const ClosestPoint& closest,
   for (const Change& change : changes_for(box, drawing, mean, edge)) {
     std::vector<Point> changed;
     changed.reserve(samples.size());
-    for (const Point& p : samples) changed.push_back(change.factors.cwiseProduct(p) + change.shift);
+    for (const Point& p : samples) changed.push_back(change.turn * p + change.shift);
     const double now = mean_distance(closest, changed);
     if (!(now <= kOnInEdges * edge)) continue;
-    const double times = now > 0 ? mean * std::abs(change.factors.z()) / now : HUGE_VAL;
+    const double times = now > 0 ? mean * change.scale / now : HUGE_VAL;
     if (!(times > best)) continue;
     best = times;
     words = change.words;

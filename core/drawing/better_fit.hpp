@@ -14,9 +14,10 @@ namespace talweg {
 constexpr std::string_view kWouldFit = "would fit ";
 
 /// Whether positions lie far from the mesh and would lie on it with x and y turned (RAS and LPS),
-/// scaled by 10, 100, 1000, 25.4 or an inverse of these, or moved by the centre of the mesh's box,
-/// there or back, or (if all lie away from it) by a round number. On it means within a mean edge in
-/// the mean, and ten times nearer than now; when scaled, as a part of their own extent.
+/// or with y up instead of z (or back), scaled by 10, 100, 1000, 25.4 or an inverse of these, or
+/// moved by the centre of the mesh's box, there or back, or (if all lie away from it) by a round
+/// number. On it means within a mean edge in the mean, and ten times nearer than now; when scaled,
+/// as a part of their own extent.
 ///
 /// Words like "would fit 40 times better with x and y turned, as between RAS and LPS"; empty where
 /// nothing fits, and where positions lie within a quarter of a mean edge in the mean. At most 32

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,9 +18,59 @@ namespace {
   throw Error(ErrorCode::kBadCurve, fmt::format("At position {} of the curve: {}.", k, what));
 }
 
-/// Whether all vertices with a weight are corners of the face.
-bool has_all(const Surface& surface, FaceId face, const CornerCoordinates& at) {
-  const auto corners = surface.corners(face);
+/// The faces of a surface at its vertices.
+class SurfaceFaces {
+ public:
+  explicit SurfaceFaces(const Surface& surface) : surface_(surface) {}
+  [[nodiscard]] std::size_t vertex_count() const { return surface_.vertex_count(); }
+  [[nodiscard]] auto corners(FaceId face) const { return surface_.corners(face); }
+  [[nodiscard]] std::vector<FaceId> at(VertexId v) const {
+    if (!surface_.halfedge(v).valid()) return {};
+    return faces_at(surface_, SurfacePoint::at_vertex(surface_, v));
+  }
+
+ private:
+  const Surface& surface_;
+};
+
+/// The triangles of a list at its vertices.
+class ListedFaces {
+ public:
+  ListedFaces(std::span<const Triangle> triangles, std::size_t vertices)
+      : triangles_(triangles), ends_(vertices), faces_(3 * triangles.size()) {
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (const std::uint32_t v : triangles[f]) ++ends_[checked(v, f)];
+    }
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    for (std::size_t f = triangles.size(); f-- > 0;) {
+      for (const std::uint32_t v : triangles[f]) faces_[--ends_[v]] = FaceId{f};
+    }
+  }
+  [[nodiscard]] std::size_t vertex_count() const { return ends_.size(); }
+  [[nodiscard]] std::array<VertexId, 3> corners(FaceId face) const {
+    const auto [a, b, c] = triangles_[face.index()];
+    return {VertexId{a}, VertexId{b}, VertexId{c}};
+  }
+  [[nodiscard]] std::span<const FaceId> at(VertexId v) const {
+    const std::size_t i = v.index();
+    const std::size_t end = i + 1 < ends_.size() ? ends_[i + 1] : faces_.size();
+    return std::span(faces_).subspan(ends_[i], end - ends_[i]);
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t checked(std::uint32_t v, std::size_t face) const {
+    if (v < ends_.size()) return v;
+    throw Error(ErrorCode::kBadMesh,
+                fmt::format("Face {} has the vertex {}; the mesh has {}.", face, v, ends_.size()));
+  }
+
+  std::span<const Triangle> triangles_;
+  std::vector<std::size_t> ends_;  // of the faces at each vertex; then where these begin
+  std::vector<FaceId> faces_;
+};
+
+/// Whether all vertices with a weight are among the corners.
+bool has_all(const std::array<VertexId, 3>& corners, const CornerCoordinates& at) {
   for (std::size_t c = 0; c < 3; ++c) {
     if (at.weights[c] != 0 &&
         std::find(corners.begin(), corners.end(), at.corners[c]) == corners.end()) {
@@ -28,11 +80,11 @@ bool has_all(const Surface& surface, FaceId face, const CornerCoordinates& at) {
   return true;
 }
 
-void check(const Surface& surface, const CornerCoordinates& at, std::size_t k) {
+void check(std::size_t vertices, const CornerCoordinates& at, std::size_t k) {
   for (const VertexId v : at.corners) {
-    if (v.index() >= surface.vertex_count()) {
+    if (v.index() >= vertices) {
       bad_point(k, fmt::format("there is no vertex {}; the mesh has {}, counted from 0", v.index(),
-                               surface.vertex_count()));
+                               vertices));
     }
   }
   const auto& w = at.weights;
@@ -43,46 +95,69 @@ void check(const Surface& surface, const CornerCoordinates& at, std::size_t k) {
   }
 }
 
-}  // namespace
-
-FaceId any_face(const Surface& surface, const CornerCoordinates& at) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (at.weights[c] == 0) continue;
-    FaceId best;
-    if (!surface.halfedge(at.corners[c]).valid()) return best;
-    for (const FaceId face : faces_at(surface, SurfacePoint::at_vertex(surface, at.corners[c]))) {
-      if ((!best.valid() || face.index() < best.index()) && has_all(surface, face, at)) best = face;
+template <class Faces>
+FaceId first_face(const Faces& faces, const CornerCoordinates& at) {
+  FaceId best;
+  const auto weighted =
+      std::find_if(at.weights.begin(), at.weights.end(), [](double w) { return w != 0; });
+  if (weighted == at.weights.end()) return best;
+  const VertexId corner = at.corners[static_cast<std::size_t>(weighted - at.weights.begin())];
+  for (const FaceId face : faces.at(corner)) {
+    if ((!best.valid() || face.index() < best.index()) && has_all(faces.corners(face), at)) {
+      best = face;
     }
-    return best;
   }
-  return {};
+  return best;
 }
 
-std::vector<FaceCoordinates> in_faces(const Surface& surface,
-                                      const std::vector<CornerCoordinates>& points) {
+/// The point in the face of these corners.
+FaceCoordinates placed(FaceId face, const std::array<VertexId, 3>& corners,
+                       const CornerCoordinates& at) {
+  const double sum = at.weights[0] + at.weights[1] + at.weights[2];
+  const bool exact = std::abs(sum - 1) < 1e-15;
+  FaceCoordinates found{face};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto to = std::find(corners.begin(), corners.end(), at.corners[c]);
+    if (to == corners.end()) continue;  // its weight is 0
+    found.barycentric[static_cast<std::size_t>(to - corners.begin())] +=
+        exact ? at.weights[c] : at.weights[c] / sum;
+  }
+  return found;
+}
+
+template <class Faces>
+std::vector<FaceCoordinates> all_in_faces(const Faces& faces,
+                                          const std::vector<CornerCoordinates>& points) {
   std::vector<FaceCoordinates> result;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const CornerCoordinates& at = points[k];
-    check(surface, at, k);
-    const FaceId face = any_face(surface, at);
+    check(faces.vertex_count(), at, k);
+    const FaceId face = first_face(faces, at);
     if (!face.valid()) {
       bad_point(k,
                 fmt::format("no face of the mesh has the vertices {}, {} and {}; is the curve "
                             "of this mesh?",
                             at.corners[0].index(), at.corners[1].index(), at.corners[2].index()));
     }
-    const double sum = at.weights[0] + at.weights[1] + at.weights[2];
-    const bool exact = std::abs(sum - 1) < 1e-15;
-    const auto corners = surface.corners(face);
-    FaceCoordinates& found = result.emplace_back(FaceCoordinates{face});
-    for (std::size_t c = 0; c < 3; ++c) {
-      const auto to = std::find(corners.begin(), corners.end(), at.corners[c]);
-      if (to == corners.end()) continue;  // its weight is 0
-      found.barycentric[static_cast<std::size_t>(to - corners.begin())] +=
-          exact ? at.weights[c] : at.weights[c] / sum;
-    }
+    result.push_back(placed(face, faces.corners(face), at));
   }
   return result;
+}
+
+}  // namespace
+
+FaceId any_face(const Surface& surface, const CornerCoordinates& at) {
+  return first_face(SurfaceFaces(surface), at);
+}
+
+std::vector<FaceCoordinates> in_faces(const Surface& surface,
+                                      const std::vector<CornerCoordinates>& points) {
+  return all_in_faces(SurfaceFaces(surface), points);
+}
+
+std::vector<FaceCoordinates> in_faces(std::span<const Triangle> triangles, std::size_t vertices,
+                                      const std::vector<CornerCoordinates>& points) {
+  return all_in_faces(ListedFaces(triangles, vertices), points);
 }
 
 }  // namespace talweg

@@ -145,8 +145,7 @@ std::string write_workbench(const std::filesystem::path& path, std::span<const P
   for (const PlacedCurve& curve : curves) {
     if (curve.corners.size() == curve.faces.size() && curve.vertex_count > 0) continue;
     cannot_write(path,
-                 "a .border names the vertices around each point, and the mesh is not known here "
-                 "(the commands of talweg write it)");
+                 "a .border names the vertices around each point, and the mesh is not known here");
   }
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<BorderFile Version=\"3\" Structure=\"{}\" "

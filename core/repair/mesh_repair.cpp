@@ -332,13 +332,13 @@ bool joins_more(const MeshInspection& welded, const MeshInspection& than) {
 }  // namespace
 
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before) {
-  if (before.verdict != MeshVerdict::kUsable) return {};
+  if (before.verdict == MeshVerdict::kUnusable) return {};
   return try_weld(lists, before, near_vertices(lists, before));
 }
 
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,
                                    const NearVertices& near) {
-  if (before.verdict != MeshVerdict::kUsable) return {};
+  if (before.verdict == MeshVerdict::kUnusable) return {};
   std::optional<WeldedMesh> best;
   if (before.duplicate_positions.found()) best = welded_by(lists, "weld");
   if (best && !joins_more(best->after, before)) best.reset();

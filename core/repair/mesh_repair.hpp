@@ -83,7 +83,7 @@ RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps 
 /// memory are those of repair().
 void try_repair(const MeshLists& lists, MeshInspection& inspection);
 
-/// The inspection of a mesh after welding, usable.
+/// The inspection of a mesh after welding.
 struct WeldedMesh {
   std::string steps;         ///< for repair_steps(): "weld" and the steps that must follow
   double tolerance = 0;      ///< mesh units, of the step weld; 0 if only equal positions are welded
@@ -93,8 +93,8 @@ struct WeldedMesh {
 
 /// Tries welding of equal positions, as in a soup of single triangles, and of nearly equal
 /// positions (near_vertices()); the result is the welding that joins more. Empty if welding neither
-/// joins components nor closes boundary loops, or if the mesh is not usable before or after. Time
-/// and memory are those of repair().
+/// joins components nor closes boundary loops, or if the mesh is neither usable nor repairable
+/// before, or not usable after. Time and memory are those of repair().
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before);
 /// The same with a known result `near` of near_vertices(lists, before).
 std::optional<WeldedMesh> try_weld(const MeshLists& lists, const MeshInspection& before,

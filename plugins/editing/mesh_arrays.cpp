@@ -66,11 +66,18 @@ double mean_edge_of(const MeshArrays& mesh) {
   return mesh.triangles.empty() ? 0 : sum / static_cast<double>(3 * mesh.triangles.size());
 }
 
+talweg_array positions_of(const MeshArrays& mesh) {
+  const auto& all = mesh.positions;
+  return host::view(all.empty() ? nullptr : all.front().data(), all.size(), 3);
+}
+
+talweg_array triangles_of(const MeshArrays& mesh) {
+  const auto& all = mesh.triangles;
+  return host::view(all.empty() ? nullptr : all.front().data(), all.size(), 3);
+}
+
 void set_mesh(host::Instance& instance, const MeshArrays& mesh) {
-  instance.set_mesh(host::view(mesh.positions.empty() ? nullptr : mesh.positions.front().data(),
-                               mesh.positions.size(), 3),
-                    host::view(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
-                               mesh.triangles.size(), 3));
+  instance.set_mesh(positions_of(mesh), triangles_of(mesh));
 }
 
 }  // namespace talweg::editing

@@ -31,6 +31,10 @@ double diagonal_of(const MeshArrays& mesh);
 /// triangles. Corners that the mesh does not have are passed over.
 double mean_edge_of(const MeshArrays& mesh);
 
+/// Views of the lists, which must outlive them.
+talweg_array positions_of(const MeshArrays& mesh);
+talweg_array triangles_of(const MeshArrays& mesh);
+
 /// Sets the mesh of an instance, which copies it. Throws host::Error.
 void set_mesh(host::Instance& instance, const MeshArrays& mesh);
 

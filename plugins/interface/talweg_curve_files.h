@@ -1,7 +1,8 @@
 /*
  * Curve files through the plugin interface: an extension of the plugin talweg.draw, asked for by
  * plugin->get_extension(TALWEG_CURVE_FILES). Formats by the file's extension, as the driver's:
- * .obj, .ply, .vtp, .vtk, .mrk.json, .json, .txt (docs/driver.md).
+ * .obj, .ply, .vtp, .vtk, .mrk.json, .fcsv, .json, .txt, and with TALWEG_CURVE_FILES_3 .border
+ * (docs/driver.md).
  */
 #ifndef TALWEG_CURVE_FILES_H
 #define TALWEG_CURVE_FILES_H
@@ -14,6 +15,7 @@ extern "C" {
 
 #define TALWEG_CURVE_FILES "talweg.curve_files/1"
 #define TALWEG_CURVE_FILES_2 "talweg.curve_files/2"
+#define TALWEG_CURVE_FILES_3 "talweg.curve_files/3"
 
 /* For meshes in millimetres: .mrk.json files, which name their unit, are converted to it and written
  * in it. */
@@ -46,6 +48,19 @@ typedef struct talweg_curve_files_2 {
   talweg_status (*read)(const char* path, const char* mesh_unit, const talweg_sink* sink,
                         char* message, uint64_t message_size);
 } talweg_curve_files_2;
+
+/* For the curves of one mesh, since 0.2.0: .border files name the vertices around each point, and no
+ * other functions read and write them. `mesh` is that of the curves: its triangles tell the face of
+ * each point, and of its positions only the number counts. A point between vertices that have no common triangle is
+ * TALWEG_BAD_CURVE. A null mesh is as with talweg_curve_files_2; all else is as there. */
+typedef struct talweg_curve_files_3 {
+  uint32_t size;
+  talweg_status (*write)(const char* path, const char* mesh_unit, const talweg_mesh* mesh,
+                         const talweg_curve* const* curves, uint64_t count, char* message,
+                         uint64_t message_size);
+  talweg_status (*read)(const char* path, const char* mesh_unit, const talweg_mesh* mesh,
+                        const talweg_sink* sink, char* message, uint64_t message_size);
+} talweg_curve_files_3;
 
 #ifdef __cplusplus
 }

@@ -1,12 +1,17 @@
 #include "curve_files.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "methods/file_calls.hpp"
 #include "methods/host_curves.hpp"
+#include "talweg/core/drawing/corner_coordinates.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/plugin/talweg_arrays.hpp"
@@ -52,13 +57,53 @@ PlacedCurve placed(const talweg_curve* curve) {
 
 CoordinateFrame frame_of(const char* text) { return frame_named(text == nullptr ? "" : text); }
 
-talweg_status write_in(const char* path, const char* mesh_unit, const talweg_curve* const* curves,
-                       std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
+/// The triangles of the mesh that curves are on; of its positions only their number counts.
+class Triangles {
+ public:
+  explicit Triangles(const talweg_mesh& mesh)
+      : vertices_(plugin::checked(&mesh, "The mesh").positions.rows),
+        indices_(plugin::indices_of(mesh.triangles, 3, "The mesh's triangles")),
+        triangles_(indices_.size() / 3) {
+    for (std::size_t k = 0; k < indices_.size(); ++k) {
+      triangles_[k / 3][k % 3] = indices_[k];
+    }
+  }
+
+  [[nodiscard]] std::vector<FaceCoordinates> faces_of(
+      const std::vector<CornerCoordinates>& points) const {
+    return in_faces(triangles_, vertices_, points);
+  }
+  /// Tells a curve the corners of its faces.
+  void put_corners(PlacedCurve& curve) const {
+    curve.vertex_count = vertices_;
+    for (const FaceCoordinates& at : curve.faces) {
+      if (at.face.index() >= triangles_.size()) {
+        bad_call(fmt::format("A curve to write has the face {}; the mesh has {}.", at.face.index(),
+                             triangles_.size()));
+      }
+      const auto [a, b, c] = triangles_[at.face.index()];
+      curve.corners.push_back({VertexId{a}, VertexId{b}, VertexId{c}});
+    }
+  }
+
+ private:
+  std::size_t vertices_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<Triangle> triangles_;
+};
+
+talweg_status write_on(const char* path, const char* mesh_unit, const talweg_mesh* mesh,
+                       const talweg_curve* const* curves, std::uint64_t count, char* message,
+                       std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr || (curves == nullptr && count > 0))
       bad_call("The path or the curves are null.");
     std::vector<PlacedCurve> ready;
     for (std::uint64_t k = 0; k < count; ++k) ready.push_back(placed(curves[k]));
+    if (mesh != nullptr) {
+      const Triangles triangles(*mesh);
+      for (PlacedCurve& curve : ready) triangles.put_corners(curve);
+    }
     write_curves(path, ready, frame_of(mesh_unit));
   });
 }
@@ -96,10 +141,9 @@ class Input {
     view_.positions = plugin::view(numbers_.data(), points.size(), 3);
   }
   static void take(const std::vector<CornerCoordinates>& /*points*/) {
-    throw plugin::Failure(
-        TALWEG_BAD_FILE,
-        "The curves lie between vertices (.border), which only the program talweg "
-        "and its library read: there they can be written as .json.");
+    throw plugin::Failure(TALWEG_BAD_FILE,
+                          "The curves lie between vertices of a mesh (.border), and none was told "
+                          "with the file.");
   }
 
   void take_marks(std::vector<double> marks) {
@@ -118,13 +162,26 @@ class Input {
   std::vector<double> numbers_, marks_;
 };
 
-talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,
-                      char* message, std::uint64_t message_size) noexcept {
+/// Points between vertices become points in faces.
+void place_in_faces(std::vector<CurveInput>& curves, const talweg_mesh& mesh) {
+  std::optional<Triangles> triangles;
+  for (CurveInput& curve : curves) {
+    const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points);
+    if (between == nullptr) continue;
+    if (!triangles) triangles.emplace(mesh);
+    curve.points = triangles->faces_of(*between);
+  }
+}
+
+talweg_status read_on(const char* path, const char* mesh_unit, const talweg_mesh* mesh,
+                      const talweg_sink* sink, char* message, std::uint64_t message_size) noexcept {
   return attempt(message, message_size, [&] {
     if (path == nullptr) bad_call("The path is null.");
     if (sink == nullptr || sink->size < sizeof *sink) bad_call("The sink is null or too small.");
     std::string told;
-    for (const CurveInput& curve : read_curves(path, frame_of(mesh_unit))) {
+    std::vector<CurveInput> curves = read_curves(path, frame_of(mesh_unit));
+    if (mesh != nullptr) place_in_faces(curves, *mesh);
+    for (const CurveInput& curve : curves) {
       for (const std::string& sentence : curve.told) told += (told.empty() ? "" : " ") + sentence;
       if (sink->curve == nullptr) continue;
       const Input input(curve);
@@ -134,6 +191,16 @@ talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink
     }
     tell(told.c_str(), message, message_size);
   });
+}
+
+talweg_status write_in(const char* path, const char* mesh_unit, const talweg_curve* const* curves,
+                       std::uint64_t count, char* message, std::uint64_t message_size) noexcept {
+  return write_on(path, mesh_unit, nullptr, curves, count, message, message_size);
+}
+
+talweg_status read_in(const char* path, const char* mesh_unit, const talweg_sink* sink,
+                      char* message, std::uint64_t message_size) noexcept {
+  return read_on(path, mesh_unit, nullptr, sink, message, message_size);
 }
 
 talweg_status write(const char* path, const talweg_curve* const* curves, std::uint64_t count,
@@ -147,6 +214,11 @@ talweg_status read(const char* path, const talweg_sink* sink, char* message,
 }
 
 }  // namespace
+
+const talweg_curve_files_3* curve_files_3() {
+  static constexpr talweg_curve_files_3 kFiles = {sizeof kFiles, write_on, read_on};
+  return &kFiles;
+}
 
 const talweg_curve_files_2* curve_files_2() {
   static constexpr talweg_curve_files_2 kFiles = {sizeof kFiles, write_in, read_in};

@@ -34,6 +34,7 @@ class Draw : public Workspace {
     if (id == nullptr) return nullptr;
     if (std::string_view(id) == TALWEG_CURVE_FILES) return curve_files();
     if (std::string_view(id) == TALWEG_CURVE_FILES_2) return curve_files_2();
+    if (std::string_view(id) == TALWEG_CURVE_FILES_3) return curve_files_3();
     return std::string_view(id) == TALWEG_WAY_POINTS ? way_points_extension() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {

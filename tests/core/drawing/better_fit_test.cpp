@@ -70,6 +70,20 @@ TEST_F(BetterFit, NamesWhatWouldMakeADrawingFit) {
   expect(one_, Point(500000, 4600000, 0), "moved by (-500000, -4600000, 0)");
 }
 
+TEST_F(BetterFit, NamesTheAxisThatIsUp) {
+  std::vector<Point> z_up, y_up;
+  for (const Point& p : ring_) {
+    z_up.emplace_back(p.x(), -p.z(), p.y());
+    y_up.emplace_back(p.x(), p.z(), -p.y());
+  }
+  EXPECT_EQ(of(z_up),
+            "would fit more than 1000 times better as (x, z, -y), as where z is up in it and y in "
+            "the mesh");
+  EXPECT_EQ(of(y_up),
+            "would fit more than 1000 times better as (x, -z, y), as where y is up in it and z in "
+            "the mesh");
+}
+
 TEST_F(BetterFit, IsNotLookedForWhereADrawingLiesOnItsMesh) {
   EXPECT_EQ(of(ring_), "");
   EXPECT_EQ(of(changed(ring_, one_, Point(0.02, 0.02, -0.02))), "");

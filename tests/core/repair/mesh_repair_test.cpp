@@ -481,6 +481,23 @@ TEST(MeshRepair, ASoupIsToldWhatWeldingWouldGive) {
   EXPECT_FALSE(try_weld(isolated, inspect(isolated)));
 }
 
+/// Programs write a vertex for each normal or texture coordinate that it has, and only a corner of
+/// two faces may then be shared, which needs a repair of its own.
+TEST(MeshRepair, TornFacesThatTouchAreToldWhatWeldingWouldGive) {
+  MeshLists fan;  // three triangles around the origin; the middle one has vertices of its own
+  fan.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-2, 0, 0}};
+  fan.points.insert(fan.points.end(), {fan.points[0], fan.points[2], fan.points[3]});
+  fan.triangles = {{0, 1, 2}, {5, 6, 7}, {0, 3, 4}};
+  const MeshInspection before = inspect(fan);
+  EXPECT_EQ(before.verdict, MeshVerdict::kRepairable);
+  EXPECT_EQ(before.components, 3U);
+  const auto welded = try_weld(fan, before);
+  ASSERT_TRUE(welded);
+  EXPECT_EQ(welded->steps, "weld");
+  EXPECT_EQ(welded->after.components, 1U);
+  EXPECT_EQ(welded->after.boundary_loops, 1U);
+}
+
 /// The defects in the collection's table, and their repair.
 TEST(MeshRepair, RealMeshes) {
   const std::filesystem::path folder = test::mesh_folder();

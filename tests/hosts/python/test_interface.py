@@ -17,7 +17,8 @@ STRUCTS = {"array": "Array", "field": "Field", "mesh": "Mesh", "curve": "Curve",
            "parameter": "Parameter", "output": "Output", "sink": "Sink", "host": "Host",
            "report_entry": "ReportEntry", "host_log": "HostLog", "host_progress": "HostProgress",
            "plugin": "Plugin", "module": "Module", "curve_files": "CurveFiles",
-           "curve_files_2": "CurveFiles2", "way_points": "WayPoints",
+           "curve_files_2": "CurveFiles2", "curve_files_3": "CurveFiles3",
+           "way_points": "WayPoints",
            "attribute": "Attribute", "origin": "Origin", "meshes": "Meshes",
            "name_list": "NameList", "mesh_file": "MeshFile", "mesh_files": "MeshFiles"}
 SCALARS = {"uint32_t": ctypes.c_uint32, "uint64_t": ctypes.c_uint64, "int64_t": ctypes.c_int64,
@@ -61,7 +62,8 @@ class Interface(unittest.TestCase):
                 self.assertEqual(value, eval(declared[name]), name)  # pylint: disable=eval-used
                 compared += 1
         self.assertGreater(compared, 25)
-        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES", "CURVE_FILES_2", "MESHES"):
+        for name in ("HOST_LOG", "HOST_PROGRESS", "CURVE_FILES", "CURVE_FILES_2", "CURVE_FILES_3",
+                     "MESHES"):
             self.assertIn('#define TALWEG_%s "%s"' % (name, getattr(_interface, name).decode()),
                           HEADER)
 

@@ -482,19 +482,20 @@ TEST(CurveFiles, AreTheLibrarys) {
   CurveSmoother smoother(hills.subject.opened);
   smoother.set_curve(hills.subject.drawn);
   const std::vector<SurfaceCurve> expected = {smoother.smooth(1.0).curve()};
-  for (const char* ending : {".json", ".vtp", ".vtk", ".obj", ".ply", ".mrk.json"}) {
-    editing::write_curves(found_plugins(), folder + "/host" + ending, smoothed);
+  for (const char* ending : {".json", ".vtp", ".vtk", ".obj", ".ply", ".mrk.json", ".border"}) {
+    editing::write_curves(found_plugins(), folder + "/host" + ending, *hills.mesh, smoothed);
     write_curves(folder + "/library" + ending, hills.subject.opened->mesh(), expected);
     EXPECT_EQ(bytes_of(folder + "/host" + ending), bytes_of(folder + "/library" + ending))
         << ending;
   }
   const std::vector<host::Curve> read =
-      editing::read_curves(found_plugins(), folder + "/host.json");
+      editing::read_curves(found_plugins(), folder + "/host.json", *hills.mesh);
   ASSERT_EQ(read.size(), 1U);
   EXPECT_EQ(read[0].faces, smoothed[0].faces);
   EXPECT_EQ(read[0].barycentrics, smoothed[0].barycentrics);
   std::ofstream(folder + "/loop.txt") << "3 4 5 3\n";
-  const host::Curve loop = editing::read_curves(found_plugins(), folder + "/loop.txt").at(0);
+  const host::Curve loop =
+      editing::read_curves(found_plugins(), folder + "/loop.txt", *hills.mesh).at(0);
   EXPECT_EQ(loop.vertices, (std::vector<std::uint32_t>{3, 4, 5}));
   EXPECT_TRUE(loop.closed);
 }
@@ -504,8 +505,8 @@ TEST(CurveFiles, ADrawingComesBackPointByPoint) {
   const editing::MeshArrays sheet = test::arrays_of(test::grid(30, 20));
   editing::Editor editor;
   editor.add_curve({{{3, {0.25, 0.5, 0.25}, false}, {700, {0.1, 0.2, 0.7}, true}}, false});
-  editing::write_curves(found_plugins(), path, drawn_curves(sheet, editor.drawing()));
-  const std::vector<host::Curve> read = editing::read_curves(found_plugins(), path);
+  editing::write_curves(found_plugins(), path, sheet, drawn_curves(sheet, editor.drawing()));
+  const std::vector<host::Curve> read = editing::read_curves(found_plugins(), path, sheet);
   EXPECT_EQ(read.at(0).faces, (std::vector<std::uint32_t>{3, 700}));
   EXPECT_EQ(read.at(0).barycentrics[1], (std::array<double, 3>{0.1, 0.2, 0.7}));
   EXPECT_EQ(read.at(0).pins, std::vector<std::uint32_t>{1});
@@ -521,8 +522,8 @@ TEST(CurveFiles, ClickedAndPaintedPointsComeBack) {
   editor.paint_point({700, {0.1, 0.2, 0.7}});
   editor.add_point({720, {0.1, 0.2, 0.7}});
   editor.finish_curve();
-  editing::write_curves(found_plugins(), path, drawn_curves(sheet, editor.drawing()));
-  EXPECT_EQ(editing::read_curves(found_plugins(), path).at(0).exact,
+  editing::write_curves(found_plugins(), path, sheet, drawn_curves(sheet, editor.drawing()));
+  EXPECT_EQ(editing::read_curves(found_plugins(), path, sheet).at(0).exact,
             (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, 0}));
 }
 
@@ -537,14 +538,14 @@ TEST(CurveFiles, SayWhatIsWrong) {
     return talweg_status{TALWEG_OK};
   };
   const std::vector<host::Curve> none, empty(1);
-  EXPECT_EQ(status_of([&] { editing::read_curves(found_plugins(), "/nowhere.json"); }),
+  EXPECT_EQ(status_of([&] { editing::read_curves(found_plugins(), "/nowhere.json", {}); }),
             TALWEG_BAD_FILE);
   EXPECT_EQ(status_of([&] {
-              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", none);
+              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", {}, none);
             }),
             TALWEG_BAD_CURVE);
   EXPECT_EQ(status_of([&] {
-              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", empty);
+              editing::write_curves(found_plugins(), testing::TempDir() + "none.json", {}, empty);
             }),
             TALWEG_BAD_USAGE);
 }

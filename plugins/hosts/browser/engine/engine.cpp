@@ -226,7 +226,7 @@ Answer Engine::save_curves(const std::string& format) const {
       drawn ? editing::drawn_curves(*mesh_.arrays, last_) : results_.curves;
   Answer answer;
   const auto write = [&](const std::string& path) {
-    editing::write_curves(*plugins_, path, curves, mesh_.frame);
+    editing::write_curves(*plugins_, path, *mesh_.arrays, curves, mesh_.frame);
   };
   answer.json = {{"name", name}, {"bytes", answer.array(written(name, write))}};
   return answer;
@@ -262,7 +262,7 @@ Answer Engine::save_parts(const std::string& format, bool lids) {
 Answer Engine::read_curves(const std::string& name, std::string_view bytes) {
   editing::Request request{Task::kPlace};
   with_file(name, bytes, [&](const std::string& path) {
-    request.curves = editing::read_curves(*plugins_, path, mesh_.frame);
+    request.curves = editing::read_curves(*plugins_, path, *mesh_.arrays, mesh_.frame);
   });
   Answer answer;
   answer.json = Json::array();

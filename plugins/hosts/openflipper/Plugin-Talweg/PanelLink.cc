@@ -241,7 +241,7 @@ void PanelLink::from_lines() {
 }
 
 QString PanelLink::kinds() {
-  return tr("Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.txt)");
+  return tr("Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.border *.txt)");
 }
 
 void PanelLink::read() {

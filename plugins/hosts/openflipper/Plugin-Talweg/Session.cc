@@ -240,20 +240,21 @@ void Session::select(std::optional<std::size_t> curve) {
 
 bool Session::write_result(const QString& path) {
   return attempt([&] {
-    editing::write_curves(plugins_, path.toStdString(), results_.curves);
+    editing::write_curves(plugins_, path.toStdString(), arrays(), results_.curves);
     host_.say(Words::tr("Wrote %1.").arg(path));
   });
 }
 
 bool Session::write_drawing(const QString& path) {
   return attempt([&] {
-    editing::write_curves(plugins_, path.toStdString(), drawn_curves(arrays(), drawing()));
+    editing::write_curves(plugins_, path.toStdString(), arrays(),
+                          drawn_curves(arrays(), drawing()));
     host_.say(Words::tr("Wrote %1.").arg(path));
   });
 }
 
 bool Session::read_drawing(const QString& path) {
-  return attempt([&] { add_curves(editing::read_curves(plugins_, path.toStdString())); });
+  return attempt([&] { add_curves(editing::read_curves(plugins_, path.toStdString(), arrays())); });
 }
 
 // ---- The thread

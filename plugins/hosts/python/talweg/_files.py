@@ -6,12 +6,15 @@ import ctypes
 import logging
 import os
 from ctypes import byref, sizeof
-from typing import Any, Callable, List, Sequence, Union
+from typing import TYPE_CHECKING, Any, Callable, List, Optional, Sequence, Union
 
-from . import _curves, _plugins
+from . import _arrays, _curves, _plugins
 from . import _interface as c
 from ._curves import Curve
 from ._errors import Unsupported, error_of
+
+if TYPE_CHECKING:
+    from ._mesh import Mesh
 
 Path = Union[str, "os.PathLike[str]"]
 _MESSAGE_SIZE = 1000
@@ -19,7 +22,21 @@ _log = logging.getLogger("talweg")
 
 
 def _extension() -> Any:
-    return extension("talweg.draw", c.CURVE_FILES_2, c.CurveFiles2, "curve files")
+    return extension("talweg.draw", c.CURVE_FILES_3, c.CurveFiles3, "curve files")
+
+
+def _mesh_view(mesh: Optional[Mesh]) -> Any:
+    """The mesh for the functions; it must outlive the view."""
+    if mesh is None:
+        return None
+    return byref(c.Mesh(size=sizeof(c.Mesh), positions=_arrays.view(mesh.vertices),
+                        triangles=_arrays.view(mesh.faces)))
+
+
+def _frame(mesh_unit: Optional[str], mesh: Optional[Mesh]) -> bytes:
+    if mesh_unit is None:
+        mesh_unit = mesh.frame if mesh is not None else ""
+    return (mesh_unit or "mm").encode()
 
 
 def extension(plugin_id: str, extension_id: bytes, struct: Any, what: str) -> Any:
@@ -44,15 +61,19 @@ def checked(call: Callable[[Any], Any]) -> str:
     return text
 
 
-def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
+def read_curves(path: Path, mesh_unit: Optional[str] = None, *,
+                mesh: Optional[Mesh] = None) -> List[Curve]:
     """The curves of a file, for smooth() and the others.
 
-    :param path: .obj, .ply, .vtp, .vtk, .mrk.json and .fcsv (3D Slicer), .json (ours) or .txt
-        (vertices).
+    :param path: .obj, .ply, .vtp, .vtk, .mrk.json and .fcsv (3D Slicer), .border
+        (connectome-workbench, with ``mesh``), .json (ours) or .txt (vertices).
     :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...), or its ``Mesh.frame``, which
         names its space, too ("mm RAS"): files of 3D Slicer name theirs and are converted to it. What
-        was converted is told in the logger ``talweg``.
-    :raises BadFile: with file, line, and what was expected. Nothing is checked against a mesh.
+        was converted is told in the logger ``talweg``. None: that of ``mesh``, or millimetres.
+    :param mesh: the mesh of the curves. A .border names the vertices around each point, which become
+        points in its faces.
+    :raises BadFile: with file, line, and what was expected. Nothing else is checked against a mesh.
+    :raises BadCurve: where a .border has a point between vertices that no face of ``mesh`` has.
     """
     curves: List[Curve] = []
     failures: List[BaseException] = []
@@ -67,8 +88,9 @@ def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
 
     sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
     try:
-        told = checked(lambda message: _extension().read(os.fsencode(path), mesh_unit.encode(),
-                                                         byref(sink), message, _MESSAGE_SIZE))
+        told = checked(lambda message: _extension().read(
+            os.fsencode(path), _frame(mesh_unit, mesh), _mesh_view(mesh), byref(sink), message,
+            _MESSAGE_SIZE))
     except Exception:
         if failures:
             raise failures[0] from None
@@ -78,16 +100,19 @@ def read_curves(path: Path, mesh_unit: str = "mm") -> List[Curve]:
     return curves
 
 
-def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]], mesh_unit: str = "mm") -> None:
+def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]],
+                 mesh_unit: Optional[str] = None, *, mesh: Optional[Mesh] = None) -> None:
     """Writes curves as they come from Talweg; the same bytes as the driver's.
 
     :param path: its extension tells the format, as for read_curves(). .json keeps everything; .txt
         needs curves whose points are all at vertices.
     :param mesh_unit: the unit of the mesh, which .mrk.json files name, or its ``Mesh.frame``: files
-        of 3D Slicer are written in LPS.
+        of 3D Slicer are written in LPS. None: that of ``mesh``, or millimetres.
+    :param mesh: the mesh of the curves, which .border files need.
     :raises BadFile: if the file cannot be written; it is as it was then.
     """
     pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)
-    checked(lambda message: _extension().write(os.fsencode(path), mesh_unit.encode(), pointers,
-                                               len(pointers), message, _MESSAGE_SIZE))
+    checked(lambda message: _extension().write(os.fsencode(path), _frame(mesh_unit, mesh),
+                                               _mesh_view(mesh), pointers, len(pointers), message,
+                                               _MESSAGE_SIZE))
     del kept  # until here

@@ -28,6 +28,7 @@ HOST_LOG = b"talweg.log/1"
 HOST_PROGRESS = b"talweg.progress/1"
 CURVE_FILES = b"talweg.curve_files/1"
 CURVE_FILES_2 = b"talweg.curve_files/2"
+CURVE_FILES_3 = b"talweg.curve_files/3"
 WAY_POINTS = b"talweg.way_points/1"
 MESHES = b"talweg.meshes/1"
 MESH_FILES = b"talweg.mesh_files/1"
@@ -150,6 +151,14 @@ class CurveFiles2(Structure):
                 ("write", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(POINTER(Curve)), c_uint64,
                                     c_char_p, c_uint64)),
                 ("read", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(Sink), c_char_p, c_uint64))]
+
+
+class CurveFiles3(Structure):
+    _fields_ = [("size", c_uint32),
+                ("write", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(Mesh),
+                                    POINTER(POINTER(Curve)), c_uint64, c_char_p, c_uint64)),
+                ("read", CFUNCTYPE(Status, c_char_p, c_char_p, POINTER(Mesh), POINTER(Sink),
+                                   c_char_p, c_uint64))]
 
 
 class Attribute(Structure):

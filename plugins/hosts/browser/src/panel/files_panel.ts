@@ -9,9 +9,10 @@ import type { CutPanel } from './cut_panel';
 import { droppedFiles } from './dropped';
 import { type Acts, byId, chooseFile, enable, setText } from '../elements';
 
-export const meshFiles = '.obj,.off,.ply,.stl,.om,.vtk,.vtp,.msh,.gltf,.glb,.3mf,.gz';
-const meshNames = 'OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, GLB and 3MF, also gzipped';
-const curveFiles = '.json,.vtp,.vtk,.obj,.ply,.txt';
+export const meshFiles = '.obj,.off,.ply,.stl,.om,.vtk,.vtp,.msh,.gltf,.glb,.3mf,.gii,'
+  + '.white,.pial,.inflated,.sphere,.smoothwm,.orig,.mid,.midthickness,.graymid,.reg,.nofix,.gz';
+const meshNames = 'OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, GLB, 3MF, GIFTI and FreeSurfer, also gzipped';
+const curveFiles = '.json,.vtp,.vtk,.obj,.ply,.border,.fcsv,.txt';
 export const sessionFiles = '.talweg';
 
 export class FilesPanel {
@@ -100,7 +101,7 @@ async function kindOf(file: File): Promise<Kind> {
   const name = file.name.toLowerCase();
   if (name.endsWith('.talweg')) return 'session';
   if (name.endsWith('.labels')) return 'labels';
-  if (/\.(json|txt|csv)$/.test(name)) return 'curves';
+  if (/\.(json|txt|csv|fcsv|border)$/.test(name)) return 'curves';
   if (name.endsWith('.vtp')) {
     return /NumberOf(Polys|Strips)="0*[1-9]/.test(await file.text()) ? 'mesh' : 'curves';
   }

@@ -791,8 +791,8 @@
         <translation>Machen Sie zuerst eine Linie (Polyline) zum Ziel (Target).</translation>
     </message>
     <message>
-        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.txt)</source>
-        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.txt)</translation>
+        <source>Curves (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.border *.txt)</source>
+        <translation>Kurven (*.json *.vtp *.vtk *.obj *.ply *.mrk.json *.fcsv *.border *.txt)</translation>
     </message>
     <message>
         <source>Read curves</source>
