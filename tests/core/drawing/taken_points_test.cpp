@@ -1,4 +1,4 @@
-// The points of a drawing are taken as it says, or as somebody says instead.
+// The meaning of the points of a drawing follows from the drawing, or from the user.
 #include "talweg/core/drawing/taken_points.hpp"
 
 #include <cmath>
@@ -29,7 +29,7 @@ class TakenPointsTest : public testing::Test {
     result.add(mesh, snap(mesh, curves), lines, {});
     return result;
   }
-  /// Control points along the sheet's lowest row, so far apart.
+  /// Control points along the lowest row of the sheet, at a distance `apart`.
   [[nodiscard]] static CurveInput controls(std::size_t count, double apart) {
     std::vector<Point> points;
     for (std::size_t k = 0; k < count; ++k) {
@@ -47,7 +47,7 @@ class TakenPointsTest : public testing::Test {
   }
 
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(500, 2));
-  static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // the mean of the sheet
+  static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // mean edge length
 };
 
 TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
@@ -61,7 +61,7 @@ TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
   EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
   EXPECT_EQ(taken.painted, std::vector{at(1)});
 
-  // A curve that names way-points keeps to them; of the other all points are.
+  // A curve that names way-points keeps them; all points of the other curve become way-points.
   taken = take_points(drawn, {PointMeaning::kExact, {}, 0});
   EXPECT_EQ(points_of(taken.way_points), (std::vector{at(0), at(3), at(10), at(11), at(12)}));
 
@@ -160,7 +160,7 @@ TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeAndASentenceSaysSo) {
   ASSERT_EQ(dense.size(), 1U);
   EXPECT_NE(dense[0].find("closer than 2 they are taken as a stroke"), std::string::npos)
       << dense[0];
-  // Who says what they are needs no sentence.
+  // A meaning given by the user needs no warning.
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kExact, {}, 0}).empty());
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kRough, {}, 0}).empty());
 }

@@ -1,4 +1,4 @@
-// Where two ends of a set meet, the fair curves continue each other without a kink.
+// Fair curves continue each other without a kink where exactly two ends of a set meet.
 #include "talweg/core/fairing/joined_curves.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ SurfaceCurve other_way(SurfaceCurve curve) {
   return curve;
 }
 
-/// The turn where one curve continues another, degrees; both have an end at the point.
+/// The turning angle between two curves with an end at the point, degrees.
 double turn_between(const Surface& surface, const SurfaceCurve& a, const SurfaceCurve& b,
                     const SurfacePoint& point) {
   const auto beside = [&](const SurfaceCurve& curve) {
@@ -157,10 +157,11 @@ TEST_F(JoinedCurvesTest, TwoEndsHaveNoKink) {
     apart =
         std::max(apart, turn_between(surface, other.curves[0], other.curves[1], wave.points[half]));
   }
-  EXPECT_GT(apart, 10);  // that is not so by chance
+  EXPECT_GT(apart, 10);  // fixed as a corner, the same point keeps a kink
 }
 
-// The same chain of samples, the same walls: as one curve that is pinned there.
+// Two curves that meet have the same chain of samples and the same walls as one curve with a pin
+// there.
 TEST_F(JoinedCurvesTest, TwoEndsAreAsAPin) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
@@ -185,7 +186,7 @@ TEST_F(JoinedCurvesTest, RingsCloseWithoutAKink) {
   }
 }
 
-// An open curve that comes back to where it began.
+// An open curve whose last point is its first.
 TEST_F(JoinedCurvesTest, ACurveThatEndsWhereItBeginsCloses) {
   SurfaceCurve drawn = ring();
   const SurfacePoint there = drawn.points[0];

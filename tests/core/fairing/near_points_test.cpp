@@ -1,4 +1,4 @@
-// Points that hardly differ from their neighbours are dropped, where a face holds what is left.
+// Points close to their neighbours are dropped if a face holds both neighbours.
 #include "talweg/core/fairing/near_points.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 class NearPointsTest : public testing::Test {
  protected:
   [[nodiscard]] const Surface& surface() const { return opened->mesh().surface(); }
-  /// Inside face 0, all but at its corner of this number.
+  /// A point inside face 0, close to a corner.
   [[nodiscard]] SurfacePoint near_corner(std::size_t corner, double away) const {
     std::array<double, 3> barycentric{away, away, away};
     barycentric[corner] = 1 - 2 * away;
@@ -59,7 +59,7 @@ TEST_F(NearPointsTest, ALoopIsLookedAtAcrossItsStart) {
 }
 
 TEST_F(NearPointsTest, WhereNoFaceHoldsBothNeighboursAPointIsNeeded) {
-  // From the first face over a corner into one that shares only this corner with it.
+  // From one face over a vertex into a face that shares only this vertex with the first.
   const auto at = [&](std::uint32_t id) {
     return SurfacePoint::at_vertex(surface(), VertexId{id});
   };

@@ -1,4 +1,4 @@
-// Spaces and units that files say, and what becomes of positions that come from another.
+// Spaces and units named in files, and the conversion of positions between them.
 #include <array>
 #include <string>
 #include <vector>
@@ -52,7 +52,7 @@ TEST_F(Frames, OfMeshesAreReadWhereSlicerWritesThem) {
   EXPECT_EQ(space("a.stl", "solid 3D Slicer output. SPACE=RAS\n" + kFacet + "endsolid\n"),
             PatientSpace::kRas);
   EXPECT_EQ(space("a.stl", binary_stl("3D Slicer output. SPACE=LPS")), PatientSpace::kLps);
-  // Other words are none.
+  // Other words are no space.
   for (const char* note : {"SPACE=RASTER", "SPACE=", "SPACE=LAS", "NOSPACE RAS", "space=RAS"}) {
     EXPECT_EQ(space("a.ply", ply("comment " + std::string(note) + "\n")), PatientSpace::kNotSaid)
         << note;
@@ -137,7 +137,7 @@ TEST_F(Frames, OfOtherCurveFilesAreKnownByTheirNotes) {
       {"a.ply", ply_of(""), ply_of("comment SPACE=RAS\n")},
       {"a.vtp", vtp(""), vtp(field)}};
   for (const auto& [name, plain, noted] : files) {
-    // A file that says nothing is in the space of its mesh.
+    // A file that names no space is in the space of its mesh.
     for (const CoordinateFrame& frame : {CoordinateFrame(), kInLps, kInRas}) {
       EXPECT_EQ(test::positions(read_curves(path(name), plain, frame).at(0)), kAsIs) << name;
     }

@@ -1,4 +1,4 @@
-// What all curve formats have in common: round trips, whole files, clear refusals.
+// Properties of all curve formats: round trips, files written completely, errors with a sentence.
 #include "talweg/core/io/curve_file.hpp"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ TEST_F(CurveFile, OursGivesPointsBackBitForBit) {
   EXPECT_EQ(bytes_of(path("a.json")), bytes_of(path("b.json")));
 }
 
-// Every edge, both ways round in its faces, with fractions that rounding likes to change.
+// Every edge, as a side of both its faces, with fractions that rounding could change.
 TEST_F(CurveFile, OursLosesNoFractionOnAnyEdge) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::sphere(1));
   const Surface& surface = mesh.surface();
@@ -107,7 +107,7 @@ TEST_F(CurveFile, OursLosesNoFractionOnAnyEdge) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const OnEdge& wanted = std::get<OnEdge>(curves[c].points[0].where());
     const SurfacePoint& point = found[c].points[0];
-    // Next to the end where 1 - t is stored, t itself is rounded to what 1 - t can say.
+    // Near the end of an edge where 1 - t is stored, t is rounded to the precision of 1 - t.
     const auto* edge = std::get_if<OnEdge>(&point.where());
     if (edge == nullptr || !(*edge == wanted)) ++lost;
   }

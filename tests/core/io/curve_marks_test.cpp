@@ -15,7 +15,7 @@ using Marks = std::vector<double>;
 
 constexpr double kTolerance = 0.1 + 0.2;  // has no short decimal form
 
-/// A loop and an open curve of which something is said, and one of which nothing is.
+/// A loop and an open curve with marks, and a curve without marks.
 std::vector<PlacedCurve> marked_curves(const SurfaceMesh& mesh) {
   std::vector<PlacedCurve> curves{place(mesh, test::ring(mesh)), place(mesh, test::walk(mesh)),
                                   place(mesh, test::vertex_walk(mesh, 40, 3))};
@@ -119,7 +119,7 @@ TEST_F(CurveMarks, AreReadBesideOtherDataOfVtk) {
 }
 
 TEST_F(CurveMarks, OfTheEndOfALoopAreThoseOfItsBeginning) {
-  // VTK repeats the first point of a loop, and other programs may do so with coordinates.
+  // VTK repeats the first point of a loop, and other programs may repeat its coordinates.
   const std::string file =
       "# vtk DataFile Version 3.0\na title\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
       "0 0 0 1 0 0 1 1 0 0 0 0\nLINES 1 5\n4 0 1 2 3\n"

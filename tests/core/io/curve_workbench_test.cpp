@@ -1,5 +1,4 @@
-// Border files of connectome-workbench: what its own writer makes, written and read again, and
-// lies.
+// Border files of connectome-workbench: files of its own writer, round trips, and malformed files.
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -85,7 +84,7 @@ TEST(WorkbenchBorders, AreWrittenAndReadAgain) {
   const auto curves = read_curves("sub.L.border", bytes);
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(snap(mesh, curves)[1].points, curve.points);
-  // Names within a class differ, so borders between the same labels are parts of one.
+  // Names are unique within a class, so borders between the same labels are parts of one border.
   const std::vector<SideLabels> sides = {{3, 7}, {3, 7}};
   const std::string of_labels = border_bytes("rh.border", placed, sides);
   EXPECT_NE(of_labels.find("CORTEX_RIGHT"), of_labels.npos);
@@ -148,7 +147,7 @@ TEST(WorkbenchBorders, OfAnotherMeshAreRefused) {
 }
 
 TEST(WorkbenchBorders, KeepTheFilesNumbersWhereAMeshIsRepaired) {
-  // A face that uses a vertex twice is dropped, and another one is turned over.
+  // Repair drops a face that uses a vertex twice and reverses another face.
   MeshLists lists;
   lists.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   lists.triangles = {{0, 0, 1}, {0, 1, 2}, {0, 3, 2}};

@@ -1,4 +1,4 @@
-// Binary OFF, odd STL, vertices that are nowhere, and formats that are not read.
+// Binary OFF, unusual STL, vertices without a finite position, and formats that are not read.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,7 +20,8 @@ namespace {
 using Faces = std::vector<Triangle>;
 const Faces kQuadAndTriangle{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};
 
-/// A square and a triangle; `more` is put before the coordinates' end of each vertex.
+/// A square and a triangle as binary OFF, with `more_floats` numbers per vertex after the
+/// coordinates.
 std::string binary_off(const std::string& first_line, int more_floats, bool big, bool colours) {
   std::string bytes = first_line + "\n";
   for (const int n : {5, 2, 0}) put_number(bytes, n, big);

@@ -1,4 +1,4 @@
-// Strokes that run over the border of an open sheet, or stop a little before it.
+// Strokes that cross the boundary of an open sheet, or stop a little before it.
 #include "talweg/core/strokes/border_ends.hpp"
 
 #include <cmath>
@@ -55,8 +55,8 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   const SnappedCurve stroke = snapped(line({-3, 10.3, 0}, {22, 10.3, 0}, 0.5));
   expect_at(stroke.points.front(), {0, 10.3, 0});
   expect_at(stroke.points.back(), {20, 10.3, 0});
-  EXPECT_EQ(stroke.beyond_border[0].points, 6U);  // -3 to -0.5
-  EXPECT_EQ(stroke.beyond_border[1].points, 4U);  // 20.5 to 22
+  EXPECT_EQ(stroke.beyond_border[0].points, 6U);  // x from -3 to -0.5
+  EXPECT_EQ(stroke.beyond_border[1].points, 4U);  // x from 20.5 to 22
   EXPECT_NEAR(stroke.beyond_border[0].farthest, 3, 1e-12);
   EXPECT_NEAR(stroke.beyond_border[1].farthest, 2, 1e-12);
   EXPECT_LT(stroke.largest_snap_distance, 1e-9);
@@ -74,7 +74,7 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
 }
 
 TEST_F(BorderEnds, ItEndsWhereItLeavesAndNotBesideTheLastPoint) {
-  // Through (0, 8), at 27 degrees; the nearest point to its beginning is (0, 6).
+  // The stroke passes (0, 8) at 27 degrees; the boundary point nearest to its beginning is (0, 6).
   const SnappedCurve stroke = snapped(line({-4, 6, 0}, {16, 16, 0}, 0.7));
   expect_at(stroke.points.front(), {0, 8, 0});
   EXPECT_EQ(stroke.beyond_border[1].points, 0U);
@@ -97,7 +97,7 @@ TEST_F(BorderEnds, AStrokeBesideTheMeshStays) {
 }
 
 TEST_F(BorderEnds, ALineFarBeyondTheMeshIsCutOffUnlessMostOfItIs) {
-  // An eighth of the diagonal is 3.5, and ten edges are 11.4.
+  // An eighth of the diagonal is 3.5, ten edges are 11.4.
   expect_at(snapped(line({-14, 10, 0}, {20, 10, 0}, 1)).points.front(), {0, 10, 0});
   try {
     (void)snapped(line({-40, 10, 0}, {20, 10, 0}, 1));
@@ -128,7 +128,7 @@ TEST_F(BorderEnds, PaintedPointsKeepTheirPlaces) {
   input.painted.resize(26);
   std::iota(input.painted.begin(), input.painted.end(), 0U);
   const SnappedCurve stroke = snap(mesh, input);
-  EXPECT_EQ(stroke.points.size(), 21U);  // 0 to 20
+  EXPECT_EQ(stroke.points.size(), 21U);  // x from 0 to 20
   EXPECT_EQ(stroke.painted.size(), 21U);
   input.painted = {5, 26};
   EXPECT_THROW((void)snap(mesh, input), Error);
@@ -161,7 +161,7 @@ TEST_F(BorderEnds, EndsJustShortAreLedToTheBorderAndTold) {
 }
 
 TEST_F(BorderEnds, NearIsTwoEdges) {
-  // A third of the edges are diagonals: 1.138 is their mean.
+  // A third of the edges are diagonals: the mean edge length is 1.138.
   expect_at(led(straight({2.2, 10, 0}, {12, 10, 0})).curves[0].points.front(), {0, 10, 0});
   const SurfaceCurve far = straight({2.4, 10, 0}, {12, 10, 0});
   const SnappedDrawing drawing = led(far);
@@ -170,7 +170,7 @@ TEST_F(BorderEnds, NearIsTwoEdges) {
 }
 
 TEST_F(BorderEnds, AShortCurveIsNotDoubled) {
-  const SurfaceCurve spur = straight({10, 0, 0}, {10, 2, 0});  // from the border inwards
+  const SurfaceCurve spur = straight({10, 0, 0}, {10, 2, 0});  // from the boundary inwards
   EXPECT_EQ(led(spur).curves[0].points, spur.points);
 }
 
@@ -205,7 +205,7 @@ TEST_F(BorderEnds, AHandThatIsFastLeavesLargerGaps) {
   drawing.add(strip, std::span(&stroke, 1), own);
   const SurfaceCurve led = with_ends_at_border(strip, drawing, own).curves[0];
   EXPECT_NEAR(curve_length(strip.surface(), led), 80, 1e-9);
-  drawing.hand_steps.clear();  // a file's curve: four edges are too far
+  drawing.hand_steps.clear();  // a curve from a file: a gap of four edges is too large
   EXPECT_NEAR(curve_length(strip.surface(), with_ends_at_border(strip, drawing, own).curves[0]), 72,
               1e-9);
 }

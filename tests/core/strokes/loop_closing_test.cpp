@@ -1,4 +1,4 @@
-// A hand that comes back to where it began has drawn a loop.
+// A stroke that ends near its beginning is a loop.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 class LoopClosing : public testing::Test {
  protected:
-  /// An arc about the middle of a plane; the radius grows by `grows` over all of it.
+  /// An arc around the middle of a plane; the radius grows by `grows` along the arc.
   [[nodiscard]] SurfaceCurve arc(double from, double to, double grows = 0) {
     std::vector<Point> points;
     for (double angle = from; angle <= to + 1e-9; angle += 5) {
@@ -57,7 +57,7 @@ TEST_F(LoopClosing, AnEndThatRunsOverTheBeginning) {
 
 TEST_F(LoopClosing, AHorseshoeIsNone) {
   EXPECT_FALSE(closed(arc(0, 300)));
-  const auto loop = closed(arc(0, 300), true);  // unless somebody says so
+  const auto loop = closed(arc(0, 300), true);  // unless the user asks for a loop
   ASSERT_TRUE(loop);
   EXPECT_TRUE(loop->curve.closed);
 }
