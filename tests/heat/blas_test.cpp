@@ -19,7 +19,8 @@ Function* find(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// A number of threads of the process or of the calling thread, set to one that nobody else sets.
+/// The number of threads of the process or of the calling thread. The test sets it to a value that
+/// no other code sets.
 class Number {
  public:
   Number(const char* get, const char* set) : get_(find<int()>(get)), set_(find<void(int)>(set)) {
@@ -98,7 +99,7 @@ TEST(OneBlasThread, FactorsAndSolutionsPutTheNumbersBack) {
   EXPECT_EQ(openblas.there() ? openblas.now() : before, before);
 }
 
-/// Dense, so that OpenBLAS with threads would share out its factor.
+/// A dense matrix: OpenBLAS with several threads would split its factorization.
 SymmetricMatrix dense_matrix(std::int32_t n) {
   SymmetricMatrix matrix{{0}, {}, {}};
   for (std::int32_t j = 0; j < n; ++j) {

@@ -1,4 +1,4 @@
-// Where convex functions on a line are below a limit, against their closed forms.
+// The stretches of a line where a convex function is below a limit, compared with closed forms.
 #include "talweg/intrinsic/exact_distance/convex_stretch.hpp"
 
 #include <cmath>

@@ -23,7 +23,7 @@ TEST(CurveComponents, KeepTheFrontOutOfTheOthers) {
 
   front.reset(0.25);
   front.start_at(VertexId{0}, {0, 0, 0});
-  EXPECT_FALSE(components.keep_out(front, there));  // too early to know
+  EXPECT_FALSE(components.keep_out(front, there));  // before the march
   while (!front.is_done() && !components.keep_out(front, there)) front.march();
   EXPECT_FALSE(front.is_done());
   EXPECT_FALSE(components.keep_out(front, here));

@@ -22,7 +22,7 @@ EdgeWindow random_window(std::mt19937_64& random, double length) {
   return window;
 }
 
-/// The shortest of the windows' ways to a place, which may lead on along the edge.
+/// The shortest distance to a place by any of the windows. A way may continue along the edge.
 double shortest(const std::vector<EdgeWindow>& windows, double x) {
   double least = std::numeric_limits<double>::infinity();
   for (const EdgeWindow& w : windows) {
@@ -57,7 +57,7 @@ TEST(EdgeBounds, RuleOutOnlyWhereAKnownWayIsShorter) {
       bounds.add(window);
     }
   }
-  EXPECT_LT(left, 0.6 * whole);  // and there is something that they rule out
+  EXPECT_LT(left, 0.6 * whole);  // the bounds rule out a good part
 }
 
 TEST(EdgeBounds, KnowNothingAtFirst) {

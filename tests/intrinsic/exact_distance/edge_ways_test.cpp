@@ -1,4 +1,4 @@
-// Ways along the edges of grids, to vertices whose distances are given by hand.
+// Paths along the edges of grids to vertices with given distances.
 #include "talweg/intrinsic/exact_distance/edge_ways.hpp"
 
 #include <cmath>
@@ -19,13 +19,13 @@ TEST(EdgeWays, LeadToTheBestOfTheVerticesNearEnough) {
   known.lower(id(3, 2), {1.5, 6, 3});
   EdgeWays ways(surface);
   WorkTally work;
-  // Three diagonals to the first, three sides to the second.
+  // The first known vertex is three diagonals away, the second three sides.
   const NearestOnCurve near = ways.shortest(id(3, 3), 1, known, work);
   EXPECT_DOUBLE_EQ(near.distance, 3.5);
   EXPECT_EQ(near.curve, 5U);
   EXPECT_EQ(near.arc_length, 2);
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 0.25, known, work).distance, 3 * std::sqrt(2.0));
-  // With the third it is one side.
+  // A limit of 2 admits the third known vertex, one side away.
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 2, known, work).distance, 2.5);
 }
 
@@ -36,14 +36,14 @@ TEST(EdgeWays, LeadAcrossManyVertices) {
   known.lower(VertexId{0}, {0, 0, 0});
   EdgeWays ways(surface);
   WorkTally work;
-  // Along the grid's diagonals as far as possible.
+  // Shortest edge paths use the diagonals of the grid as far as possible.
   for (const auto& [i, j] : {std::array<std::size_t, 2>{n, n}, {n, 10}, {0, n}, {30, 35}}) {
     const double least = static_cast<double>(std::min(i, j));
     const double most = static_cast<double>(std::max(i, j));
     EXPECT_NEAR(ways.shortest(VertexId{i + (n + 1) * j}, 0, known, work).distance,
                 least * std::sqrt(2.0) + most - least, 1e-12);
   }
-  // Other distances, of which it must be told.
+  // Changed distances require clear().
   known.clear();
   known.lower(VertexId{n}, {0, 0, 0});
   ways.clear();

@@ -1,4 +1,5 @@
-// The distance that is carried on is that of the plane, within what its definition allows.
+// The marched distance in the plane, against the exact distance, within the error of its
+// definition.
 #include "talweg/intrinsic/exact_distance/marched_distance.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// n x n vertices of a plane with edges of 1; vertex n * y + x.
+/// A plane of n x n vertices with edges of length 1; vertex n * y + x.
 Surface plane(std::size_t n) { return test::surface_of(test::grid(n - 1, n - 1)); }
 
 std::vector<double> marched(const Surface& surface, std::vector<double> distance) {
@@ -44,7 +45,8 @@ TEST(MarchDistance, IsNearlyThatOfALine) {
   for (std::size_t v = 0; v < 2 * kSide; ++v) start[v] = static_cast<double>(v / kSide);
   const std::vector<double> distance = marched(plane(kSide), start);
   for (std::size_t v = 0; v < distance.size(); ++v) {
-    // A circle of radius r through two corners an edge apart bulges by 1 / (8 r), in each row.
+    // A circle of radius r through two corners at distance 1 bulges by 1 / (8 r); the bulges of the
+    // rows add up.
     double bulge = 0;
     for (std::size_t row = 1; row < v / kSide; ++row)
       bulge += 1.0 / (8.0 * static_cast<double>(row));
@@ -56,7 +58,7 @@ TEST(MarchDistance, KeepsWhatIsKnownAndLeavesWhatCannotBeReached) {
   std::vector<double> start(9, kFar);
   EXPECT_EQ(marched(plane(3), start), start);
   start[0] = 5;
-  start[1] = 100;  // known, though 6 would be nearer
+  start[1] = 100;  // a given distance stays, although a way of length 6 exists
   const std::vector<double> distance = marched(plane(3), start);
   EXPECT_EQ(distance[0], 5);
   EXPECT_EQ(distance[1], 100);

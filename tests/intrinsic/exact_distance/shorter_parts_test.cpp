@@ -34,7 +34,7 @@ TEST(ShorterParts, EndWhereTheOtherIsAsShortAndCutIt) {
   EXPECT_NEAR(shorter.parts()[0][1], 2, kBorders);
   EXPECT_NEAR(other.begin, 2, kBorders);
   EXPECT_EQ(other.end, 4);
-  EXPECT_GE(shorter.parts()[0][1], other.begin);  // nothing between them
+  EXPECT_GE(shorter.parts()[0][1], other.begin);  // no gap between the two
 }
 
 TEST(ShorterParts, AreTwoWhereTheOtherIsShorterInside) {

@@ -1,4 +1,4 @@
-// Arrays that begin as zeros.
+// Arrays that begin with zeros.
 #include "talweg/intrinsic/surface/zeroed_memory.hpp"
 
 #include <algorithm>
