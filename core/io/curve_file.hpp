@@ -31,7 +31,7 @@ namespace talweg {
 ///   is taken to be in LPS, as Slicer itself writes meshes; positions of a markup in RAS get x and
 ///   y negated. Positions are converted from the markup's `coordinateUnits`, a UCUM code or a coded
 ///   entry with one (mm where it has none), to `frame`. The other formats name no unit: their
-///   positions are in that of the mesh.
+///   positions are in the unit of the mesh.
 /// - `.txt`: vertex ids from 0, separated by blanks, commas or ends of lines; `#` starts a comment,
 ///   a blank line separates curves; a list that repeats its first id at its end is closed.
 /// - `.border` of connectome-workbench, version 3: points between the vertices of a surface, each

@@ -51,7 +51,7 @@ bool openblas_has_threads() {
 }
 constexpr const char* kNoThreads = "skipped: needs OpenBLAS with threads (libopenblas0-pthread)";
 
-TEST(OneBlasThread, OpenMpsNumbersAreOneMeanwhileAndThenAsBefore) {
+TEST(OneBlasThread, OpenMpHasOneThreadDuringTheGuard) {
   Number threads("omp_get_max_threads", "omp_set_num_threads");
   Number levels("omp_get_max_active_levels", "omp_set_max_active_levels");
   if (!threads.there()) GTEST_SKIP() << "skipped: needs CHOLMOD with OpenMP";
@@ -76,7 +76,7 @@ TEST(OneBlasThread, OpenBlasHasOneThreadUntilTheLastOneGoes) {
   EXPECT_EQ(number.now(), Number::kOurs);
 }
 
-TEST(OneBlasThread, ANumberThatSomebodyElseSetsMeanwhileStays) {
+TEST(OneBlasThread, ANumberSetMeanwhileByOtherCodeStays) {
   if (!openblas_has_threads()) GTEST_SKIP() << kNoThreads;
   Number number("openblas_get_num_threads", "openblas_set_num_threads");
   {

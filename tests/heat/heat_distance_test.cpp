@@ -218,7 +218,7 @@ TEST(HeatDistance, FlatTrianglesAndNeedlesAnywhere) {
   }
 }
 
-TEST(HeatDistance, SurfacesThatAllButFallApart) {
+TEST(HeatDistance, SurfacesWithANarrowNeck) {
   // Two sheets are joined by a neck of width w. Up to the flow through the neck, constants on
   // either side are in the kernel of the Laplacian, so its condition number grows like 1 / w.
   const std::size_t columns = 40, rows = 8, neck = 20;

@@ -68,7 +68,7 @@ constexpr double kBase = 1 << 20;
 
 class MemoryOf : public testing::TestWithParam<std::pair<std::uint32_t, std::uint32_t>> {};
 
-TEST_P(MemoryOf, EachStageIsWhatIsPromised) {
+TEST_P(MemoryOf, EachStageKeepsTheDocumentedBound) {
   const auto [size, points] = GetParam();
   const double faces = 2.0 * size * size;
   const Stages stages(size, points);

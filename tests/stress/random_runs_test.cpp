@@ -29,10 +29,10 @@ TEST(RandomFaults, StayMended) {
   for (const std::uint64_t seed : {
            300875,  // a lasso lost its end
            301188,  // the same for one curve
-           310189,  // a budget that was used up was not told
+           310189,  // the report did not say that a budget was used up
            310339,  // a loop in doubt did not pass its pin
            409190,  // an end moved on the side of a sliver
-           414354,  // a budget that was used up was told as a curve that cannot be fair
+           414354,  // the report named a curve that cannot be fair in place of a used-up budget
            415480,  // an unsmoothed border ended on the wrong side of another border
        }) {
     const RunOutcome outcome = random_run(seed);

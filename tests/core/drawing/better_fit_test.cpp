@@ -52,7 +52,7 @@ class BetterFit : public testing::Test {
   const Point one_ = Point::Ones(), none_ = Point::Zero();
 };
 
-TEST_F(BetterFit, NamesWhatWouldMakeADrawingFit) {
+TEST_F(BetterFit, NamesTheChangeThatMakesADrawingFit) {
   const auto expect = [&](const Point& factors, const Point& shift, const char* words) {
     const std::string found = of(changed(ring_, factors, shift));
     EXPECT_TRUE(found.starts_with("would fit more than 1000 times better ")) << found;
@@ -70,19 +70,19 @@ TEST_F(BetterFit, NamesWhatWouldMakeADrawingFit) {
   expect(one_, Point(500000, 4600000, 0), "moved by (-500000, -4600000, 0)");
 }
 
-TEST_F(BetterFit, IsNotLookedForWhereADrawingLiesOnItsMesh) {
+TEST_F(BetterFit, IsNotSearchedForADrawingOnItsMesh) {
   EXPECT_EQ(of(ring_), "");
   EXPECT_EQ(of(changed(ring_, one_, Point(0.02, 0.02, -0.02))), "");
 }
 
-TEST_F(BetterFit, IsNoneWhereNothingFits) {
+TEST_F(BetterFit, IsEmptyIfNoChangeFits) {
   EXPECT_EQ(of(changed(ring_, one_, Point(0, -4, 0))), "");
   EXPECT_EQ(of(changed(ring_, Point(1.3, 1.3, 1.3), none_)), "");
   EXPECT_EQ(of({}), "");
   EXPECT_EQ(of({Point(1e300, 0, 0)}), "");
 }
 
-TEST_F(BetterFit, GivesNoAlarmOnSymmetricMeshes) {
+TEST_F(BetterFit, GivesNoFalseAlarmOnSymmetricMeshes) {
   const SurfaceMesh ball = SurfaceMesh::open(test::sphere(4));  // about the origin
   const ClosestPoint closest(ball);
   std::vector<Point> around;

@@ -26,7 +26,7 @@ SurfaceCurve drawn_on(const Surface& surface, bool closed) {
   return test::vertex_curve(surface, path, closed);
 }
 
-TEST(CanonicalOrder, IsThatOfTheReversedAndTheTurnedCurve) {
+TEST(CanonicalOrder, IsTheSameForReversedAndRotatedCurves) {
   const auto opened = OpenedMesh::open(disturbed_grid());
   const Surface& surface = opened->surface();
   for (const bool closed : {false, true}) {
@@ -59,7 +59,7 @@ void expect_one_order(const SurfaceMesh& mesh, SurfaceCurve drawn) {
   }
 }
 
-TEST(CanonicalOrder, IsOneAlsoWhereAllSegmentsAreEqual) {
+TEST(CanonicalOrder, IsUniqueAlsoForEqualSegments) {
   const auto opened = OpenedMesh::open(grid(7, 7));
   const auto vertices = [&](std::initializer_list<std::uint32_t> list, bool closed) {
     return test::vertex_curve(opened->surface(), ids(list), closed);
@@ -88,13 +88,13 @@ TEST(CanonicalOrder, TurnsDecideBeforePositionsDo) {
   EXPECT_EQ(one.reversed, other.reversed);
 }
 
-TEST(CanonicalOrder, OfOnePointIsAsDrawn) {
+TEST(CanonicalOrder, KeepsASinglePoint) {
   const auto opened = OpenedMesh::open(grid(5, 5));
   const SurfaceCurve point = test::vertex_curve(opened->surface(), ids({6}), false);
   EXPECT_EQ(in_order(point, canonical_order(opened->mesh(), point)).points, point.points);
 }
 
-TEST(CanonicalOrder, OfASetIsTheSameHoweverItIsListed) {
+TEST(CanonicalOrder, OfASetDoesNotDependOnTheListing) {
   const auto opened = OpenedMesh::open(grid(7, 7));
   const auto curve = [&](std::initializer_list<std::uint32_t> list, bool closed) {
     return test::vertex_curve(opened->surface(), ids(list), closed);
@@ -113,7 +113,7 @@ TEST(CanonicalOrder, OfASetIsTheSameHoweverItIsListed) {
   EXPECT_EQ(expected.back(), 0U);  // open curves come first
 }
 
-TEST(CanonicalOrder, TheResultRunsAsTheDrawingDoes) {
+TEST(CanonicalOrder, ResultsHaveTheDirectionOfTheDrawing) {
   const auto opened = OpenedMesh::open(disturbed_grid());
   SurfaceCurve drawn = drawn_on(opened->surface(), false);
   CurveSmoother smoother(opened);

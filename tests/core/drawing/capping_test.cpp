@@ -41,7 +41,7 @@ TEST(Capping, ReplacesTwoSidesOfATriangleByTheThird) {
   EXPECT_EQ(path, ids({1, 0, 3}));
 }
 
-TEST(Capping, GoesOnUntilNoneIsLeft) {
+TEST(Capping, RepeatsUntilNoCornerIsLeft) {
   // About vertex 0 of a hexagon everything can be capped down to one edge only through it.
   const Surface surface = surface_of_lists(grid(4, 4));
   auto path = ids({0, 1, 6, 7, 12, 13, 18});

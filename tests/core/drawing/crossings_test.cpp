@@ -72,7 +72,7 @@ std::vector<SurfacePoint> crossed_by_pairs(const Surface& surface,
   return crossed;
 }
 
-TEST(CurvesByFace, CrossWhatPairsOfSegmentsCross) {
+TEST(CurvesByFace, AgreeWithPairsOfSegments) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(3, 1));
   const Surface& surface = mesh.surface();
   std::mt19937 random(5);
@@ -104,7 +104,7 @@ TEST(CurvesByFace, RefuseASegmentOutsideTheFaces) {
                Error);
 }
 
-TEST(Crossings, AreFoundAndTouchingIsNone) {
+TEST(Crossings, AreFoundWithoutTouchingCurves) {
   const auto opened = OpenedMesh::open(test::grid(4, 4));
   const Surface& surface = opened->surface();
   const auto at = [&](std::uint32_t face, double a, double b) {

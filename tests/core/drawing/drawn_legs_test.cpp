@@ -27,7 +27,7 @@ class DrawnLegsTest : public testing::Test {
       test::vertex_curve(surface, test::ids({8, 9, 10, 17, 24, 23, 22, 15}), true);
 };
 
-TEST_F(DrawnLegsTest, WithoutWayPointsThereIsNone) {
+TEST_F(DrawnLegsTest, WithoutWayPointsThereIsNoLeg) {
   const DrawnLegs legs = legs_of(row, {}, {}, {});
   EXPECT_FALSE(legs.any());
   EXPECT_FALSE(legs.all());
@@ -50,7 +50,7 @@ TEST_F(DrawnLegsTest, PinsDivideLegs) {
   EXPECT_EQ(painted.is_leg, (Legs{false, false, true}));
 }
 
-TEST_F(DrawnLegsTest, OneWayPointMakesNone) {
+TEST_F(DrawnLegsTest, OneWayPointMakesNoLeg) {
   EXPECT_FALSE(legs_of(row, {}, exact({3}), {}).any());
 }
 

@@ -194,7 +194,7 @@ TEST(Redrawing, DrawsTheTwoLegsOnly) {
   }
 }
 
-TEST(Redrawing, GoesAroundTheRest) {
+TEST(Redrawing, GoesAroundOtherLegs) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
   // A leg from the left is a wall; a way-point is moved to its other side.
@@ -206,7 +206,7 @@ TEST(Redrawing, GoesAroundTheRest) {
   EXPECT_EQ(redrawn.back(), VertexId{93});
 }
 
-TEST(Redrawing, DrawsAllAnewWhereTheRestIsInTheWay) {
+TEST(Redrawing, RedrawsAllLegsIfOtherLegsAreInTheWay) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
   auto through = ids({56, 64, 20, 12});
@@ -217,7 +217,7 @@ TEST(Redrawing, DrawsAllAnewWhereTheRestIsInTheWay) {
   EXPECT_EQ(dijkstra.redraw(path, other, 1, false), draw_edge_path(surface, other, false));
 }
 
-TEST(Redrawing, OfTwoWayPointsOrNone) {
+TEST(Redrawing, HandlesTwoWayPointsOrNone) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
   const auto path = dijkstra.draw(ids({0, 60}), false);

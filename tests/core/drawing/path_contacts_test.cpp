@@ -36,7 +36,7 @@ std::vector<std::size_t> crossings(const std::vector<std::vector<VertexId>>& way
   return path_contacts(t, paths).crossings;
 }
 
-TEST(PathContacts, CountsWhatChangesSides) {
+TEST(PathContacts, CountsPathsThatChangeSides) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(crossings({ids({10, 11, 12, 13, 14}), ids({2, 7, 12, 17, 22})}), Counts({1, 0}));
   // Paths that share an edge, in the same and in opposite directions: crossing, then staying on one
@@ -74,7 +74,7 @@ std::vector<VertexId> random_walk(const Surface& surface, std::mt19937& random, 
 
 // The number of crossings of two paths does not depend on the other paths, although all passages of
 // a vertex are counted together.
-TEST(PathContacts, OfASetAreThoseOfItsPairs) {
+TEST(PathContacts, OfASetAreTheSumOverPairs) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
   std::mt19937 random(11);
   for (int run = 0; run < 20; ++run) {

@@ -100,7 +100,7 @@ TEST_F(Snapping, TakesPointsInFaces) {
   EXPECT_TRUE(std::holds_alternative<InFace>(curve.points[2].where()));
 }
 
-TEST_F(Snapping, MovesWhatWasClickedBesideAVertexOrAnEdgeOntoIt) {
+TEST_F(Snapping, MovesClicksOntoAVertexOrEdgeWithinRounding) {
   for (const double beside : {1e-17, 1e-16, 1e-14, 1e-12, 1e-10}) {
     CurveInput input;
     input.points = std::vector<FaceCoordinates>{{FaceId{0}, {1 - 2 * beside, beside, beside}},
@@ -186,7 +186,7 @@ TEST_F(Snapping, MergesPositionsThatFallTogether) {
   EXPECT_EQ(curve.largest_snap_distance, 5);
 }
 
-TEST_F(Snapping, RefusesPinsThatAreNoPoints) {
+TEST_F(Snapping, RefusesPinsOutOfRange) {
   CurveInput input = of_ids({0, 1, 2});
   input.pins = {3};
   expect_parts(refusal(mesh_, input), {"point 3", "pin"});

@@ -50,7 +50,7 @@ class TakenPointsTest : public testing::Test {
   static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // mean edge length
 };
 
-TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
+TEST_F(TakenPointsTest, FollowTheMarksOfTheDrawing) {
   CurveInput named = row({0, 1, 2, 3}), other = row({10, 11, 12});
   named.way_points = {{0, 0}, {3, 0.25}};
   named.painted = {1};
@@ -74,7 +74,7 @@ TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
   EXPECT_EQ(taken.way_points[0].tolerance, 0.5);
 }
 
-TEST_F(TakenPointsTest, TheToleranceIsOfWayPointsWithoutOne) {
+TEST_F(TakenPointsTest, TheToleranceAppliesToWayPointsWithoutATolerance) {
   CurveInput named = row({0, 1, 2, 3});
   named.way_points = {{0, 0}, {3, 0.25}};
   const TakenPoints taken = take_points(drawing({named}), {PointMeaning::kGiven, {}, 0.5});
@@ -82,7 +82,7 @@ TEST_F(TakenPointsTest, TheToleranceIsOfWayPointsWithoutOne) {
   EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
 }
 
-TEST_F(TakenPointsTest, ExactLeavesOutWhatWasPainted) {
+TEST_F(TakenPointsTest, ExactLeavesOutPaintedPoints) {
   CurveInput painted = row({0, 1, 2, 3, 4});
   painted.painted = {1, 3};
   const TakenPoints taken = take_points(drawing({painted}), {PointMeaning::kExact, {}, 0});
@@ -103,7 +103,7 @@ TEST_F(TakenPointsTest, ADrawingIsFreeIfAllOfItLiesBetweenWayPoints) {
   EXPECT_FALSE(is_free({stroke}));
 }
 
-TEST_F(TakenPointsTest, PointsThatCoincideAreWhatAnyOfThemWas) {
+TEST_F(TakenPointsTest, CoincidingPointsCombineTheirMarks) {
   CurveInput curve;
   curve.points = std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {4, 0, 0}};
   curve.way_points = {{0, 0.5}, {1, 0.25}};
@@ -116,7 +116,7 @@ TEST_F(TakenPointsTest, PointsThatCoincideAreWhatAnyOfThemWas) {
   EXPECT_EQ(snapped.painted, std::vector<std::size_t>{1});  // a way-point is not painted
 }
 
-TEST_F(TakenPointsTest, MarksThatArePointlessAreRefused) {
+TEST_F(TakenPointsTest, MarksOfMissingPointsAreRefused) {
   const auto sentence = [&](const CurveInput& curve) {
     try {
       snap(mesh, curve);
@@ -147,7 +147,7 @@ TEST_F(TakenPointsTest, FewControlPointsFarApartAreWayPoints) {
   }
 }
 
-TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeAndASentenceSaysSo) {
+TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
   const auto warnings = [&](const CurveInput& curve, const PointsTaken& how = {}) {
     const SnappedDrawing drawn = drawing({curve});
     EXPECT_TRUE(drawn.way_points.empty());
@@ -165,7 +165,7 @@ TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeAndASentenceSaysSo) {
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kRough, {}, 0}).empty());
 }
 
-TEST_F(TakenPointsTest, ManyControlPointsCanBeSaidToBeExact) {
+TEST_F(TakenPointsTest, ManyControlPointsCanBeMadeExact) {
   const SnappedDrawing drawn = drawing({controls(201, 2.4)});
   EXPECT_EQ(take_points(drawn, {PointMeaning::kExact, {}, 0}).way_points.size(), 201U);
 }

@@ -63,7 +63,7 @@ TEST(BandSystem, HasTheSolutionOfEigen) {
   }
 }
 
-TEST(BandSystem, TellsWhatIsNotPositiveDefinite) {
+TEST(BandSystem, RejectsIndefiniteMatrices) {
   BandSystem system(6, false);
   for (std::size_t i = 0; i < 6; ++i) system.add(i, i, i == 3 ? -1 : 1);
   std::vector<double> solution;

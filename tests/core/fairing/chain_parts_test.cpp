@@ -75,7 +75,7 @@ TEST_F(ChainPartsTest, APartReplacedByItselfChangesNothing) {
   }
 }
 
-TEST(ChainRanges, AreApartAndEndWhereTheChainDoes) {
+TEST(ChainRanges, AreDisjointAndInsideTheChain) {
   const std::vector<std::size_t> samples{3, 40, 45, 98};
   const auto ranges = ranges_about(samples, 5, 100);
   ASSERT_EQ(ranges.size(), 3U);

@@ -60,7 +60,7 @@ TEST(CurveFairing, ACurveIsTooLongWhereItsSamplesWouldBeTooMany) {
 
 // Chains among needles wound back and forth; each attempt was longer than the previous one, up to
 // 20,000 times the length of the drawing.
-TEST(CurveFairing, AChainThatIsFarTooLongIsGivenUp) {
+TEST(CurveFairing, AChainFarTooLongIsRejected) {
   const auto opened = OpenedMesh::open(test::hills(40));
   const SurfaceCurve drawn = test::wave_on_hills(opened->mesh());
   const double length = curve_length(opened->surface(), drawn);

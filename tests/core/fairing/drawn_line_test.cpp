@@ -25,7 +25,7 @@ TEST(DrawnLine, PlacesAreArcLengths) {
   EXPECT_EQ(line.between(12, 1), -11);
 }
 
-TEST(DrawnLine, AClosedOneGoesOnWhereItBegan) {
+TEST(DrawnLine, AClosedLineContinuesAtItsBeginning) {
   const DrawnLine line(hairpin(), true);
   EXPECT_EQ(line.length(), 14);
   EXPECT_EQ(line.between(13.5, 1), 1.5);
@@ -37,7 +37,7 @@ TEST(DrawnLine, AClosedOneGoesOnWhereItBegan) {
   EXPECT_TRUE(line.is_straight(13, 15, 0.8));
 }
 
-TEST(DrawnLine, AnotherStrandIsNotNearHoweverNearItLies) {
+TEST(DrawnLine, AnotherStrandIsNotNearAlongTheLine) {
   const DrawnLine line(hairpin(), false);
   EXPECT_TRUE(line.stays_near(2, 3, 1.1));
   EXPECT_FALSE(line.stays_near(2, 11, 1.1));  // 1 above, but 9 along the line around the tip
@@ -45,14 +45,14 @@ TEST(DrawnLine, AnotherStrandIsNotNearHoweverNearItLies) {
   EXPECT_TRUE(line.stays_near(5.5, 7.5, 1.2));  // at the tip
 }
 
-TEST(DrawnLine, IsStraightAsFarAsNothingIsCutOff) {
+TEST(DrawnLine, IsStraightWithinTheTolerance) {
   const DrawnLine line(hairpin(), false);
   EXPECT_TRUE(line.is_straight(0, 6, 1e-9));
   EXPECT_FALSE(line.is_straight(1, 12, 4.9));  // the tip is 5 away
   EXPECT_TRUE(line.is_straight(1, 12, 5.2));
 }
 
-TEST(DrawnLine, OfOnePointIsThatPoint) {
+TEST(DrawnLine, OfOnePointHasLengthZero) {
   for (const bool closed : {false, true}) {
     const DrawnLine line({{1, 2, 3}}, closed);
     EXPECT_EQ(line.length(), 0);
@@ -80,7 +80,7 @@ struct BandOnGrid {
   PolylineDistance distance{opened->surface()};
 };
 
-TEST(DrawnBand, APlaceNearerToAnotherStrandIsNotItsOwn) {
+TEST(DrawnBand, APlaceNearerToAnotherStrandDoesNotBelongToTheStrand) {
   const auto at = BandOnGrid::at;
   BandOnGrid grid({{at(5, 10), at(25, 10), at(25, 12), at(5, 12)}});
   const DrawnLine line(positions_of(grid.opened->mesh(), grid.curves[0]), false);

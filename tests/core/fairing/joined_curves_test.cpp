@@ -66,7 +66,7 @@ class JoinedCurvesTest : public testing::Test {
   const std::size_t n = wave.points.size(), half = n / 2;
 };
 
-TEST_F(JoinedCurvesTest, FollowEachOtherInAnyDirection) {
+TEST_F(JoinedCurvesTest, JoinEndsInAnyDirection) {
   const std::vector<SurfaceCurve> curves = {
       other_way(stretch_between(wave, 20, 30)), stretch_between(wave, 0, 9),
       stretch_between(wave, 9, 20), stretch_between(wave, 33, n - 1)};
@@ -87,7 +87,7 @@ TEST_F(JoinedCurvesTest, FollowEachOtherInAnyDirection) {
   }
 }
 
-TEST_F(JoinedCurvesTest, CloseARing) {
+TEST_F(JoinedCurvesTest, CanFormARing) {
   const SurfaceCurve drawn = ring();
   const std::size_t m = drawn.points.size();
   SurfaceCurve rest = stretch_between(drawn, 10, m - 1);
@@ -137,7 +137,7 @@ TEST_F(JoinedCurvesTest, NeedExactlyTwoEndsThatAreFree) {
   EXPECT_EQ(groups({from_left(8 * 41 + 6), from_left(14 * 41 + 6)}).size(), 2U);
 }
 
-TEST_F(JoinedCurvesTest, TwoEndsHaveNoKink) {
+TEST_F(JoinedCurvesTest, TwoEndsMeetWithoutAKink) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
   double apart = 0;
@@ -216,7 +216,7 @@ TEST_F(JoinedCurvesTest, ACurveThatEndsWhereItBeginsCloses) {
   EXPECT_EQ(std::count(pinned.points.begin(), pinned.points.end(), drawn.points[9]), 1);
 }
 
-TEST_F(JoinedCurvesTest, AreTheSameHoweverTheyAreDrawn) {
+TEST_F(JoinedCurvesTest, DoNotDependOnTheDirectionOfDrawing) {
   const SurfaceCurve a = stretch_between(wave, 0, 13), b = stretch_between(wave, 13, 29),
                      c = stretch_between(wave, 29, n - 1);
   for (const double tau : {0.4, 1.0, 2.6}) {
@@ -248,7 +248,7 @@ TEST_F(JoinedCurvesTest, KeepEachItsOwnTauAndWalls) {
   }
 }
 
-TEST_F(JoinedCurvesTest, NeedBothToBeFair) {
+TEST_F(JoinedCurvesTest, NeedTwoFairCurves) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
   for (const OwnOptions& own :

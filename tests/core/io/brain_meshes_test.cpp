@@ -154,7 +154,7 @@ TEST(Gifti, SurfacesInEveryEncoding) {
   EXPECT_EQ(doubles.triangles, kTriangles);
 }
 
-TEST(Gifti, WhatIsNotReadIsNamed) {
+TEST(Gifti, DataThatAreNotReadAreNamed) {
   MeshAttributes attributes;
   read_mesh("a.gii",
             gifti(points_array("ASCII", kTextPoints) + triangles_array("ASCII", kTextTriangles) +
@@ -164,7 +164,7 @@ TEST(Gifti, WhatIsNotReadIsNamed) {
   EXPECT_NE(attributes.left_out[0].find("NIFTI_INTENT_SHAPE"), std::string::npos);
 }
 
-TEST(Gifti, LiesAreRefused) {
+TEST(Gifti, MalformedFilesAreRefused) {
   const std::string points = points_array("ASCII", kTextPoints);
   expect_bad_mesh("a.gii", "no xml", {"XML"});
   expect_bad_mesh("a.gii", "<VTKFile/>", {"<GIFTI>"});
@@ -244,7 +244,7 @@ TEST(FreeSurferSurface, QuadsAreDividedAsFreeSurferDividesThem) {
   EXPECT_EQ(floats.points, old.points);
 }
 
-TEST(FreeSurferSurface, LiesAreRefused) {
+TEST(FreeSurferSurface, MalformedFilesAreRefused) {
   const std::string whole = freesurfer();
   for (std::size_t size = 1; size < whole.size(); ++size) {
     expect_bad_mesh("lh.white", whole.substr(0, size), {});
@@ -270,7 +270,7 @@ TEST(FreeSurferValues, InBothFormats) {
   EXPECT_EQ(read_field_values("v.txt", "0.5 -1\n2"), expected);
 }
 
-TEST(FreeSurferValues, LiesAreRefused) {
+TEST(FreeSurferValues, MalformedFilesAreRefused) {
   const std::string head = "\xFF\xFF\xFF";
   expect_bad_field("lh.curv", head + big_endian({2'000'000'000, 2, 1}) + "0000", {"2000000000"});
   expect_bad_field("lh.curv", head + big_endian({1, 2, 3}) + "0000", {"3 values per vertex"});

@@ -75,7 +75,7 @@ TEST_F(ClickFiles, ColumnsAreFoundByTheirNames) {
   EXPECT_FALSE(read.closed);
 }
 
-TEST_F(ClickFiles, FcsvIsACurveOfItsPointsToo) {
+TEST_F(ClickFiles, FcsvIsAlsoReadAsACurve) {
   const auto curves = read("a.fcsv", "# CoordinateSystem = LPS\n" + kPoints);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(test::positions(curves[0]).size(), 3U);
@@ -117,7 +117,7 @@ TEST_F(ClickFiles, PointListsOfMarkupsAreRead) {
   EXPECT_EQ(clicks("a.mrk.json", list("Fiducial", kThree), kInRas).at(0), Point(-1, -2, 3));
 }
 
-TEST_F(ClickFiles, RefusesWhatIsNoListOfPoints) {
+TEST_F(ClickFiles, RefusesMarkupsWithoutAPointList) {
   expect_no_clicks("a.mrk.json", list("ROI", kThree), {"markups[0]", "Fiducial", "ROI"});
   expect_no_clicks("a.mrk.json", R"({"markups": []})", {"markups", "0 markups"});
   expect_no_clicks("a.mrk.json", R"({"markups": [{"type": "Fiducial"}, {"type": "Fiducial"}]})",

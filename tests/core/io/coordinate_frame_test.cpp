@@ -60,7 +60,7 @@ TEST_F(Frames, OfMeshesAreReadWhereSlicerWritesThem) {
   }
 }
 
-TEST_F(Frames, OfMeshesAreWrittenAsTheyCame) {
+TEST_F(Frames, OfMeshesAreKeptInFiles) {
   MeshLists lists = read_mesh(path("a.ply"), ply("comment SPACE=RAS\n"));
   for (const char* name : {"b.ply", "b.obj", "b.stl"}) {
     EXPECT_TRUE(write_mesh(path(name), lists, {}).empty()) << name;
@@ -82,7 +82,7 @@ std::string markup(const std::string& members) {
 const std::vector<Point> kAsIs{{1, 2, 3}, {4, 5, 6}};
 const std::vector<Point> kTurned{{-1, -2, 3}, {-4, -5, 6}};
 
-TEST_F(Frames, OfMarkupsAndMeshesMeet) {
+TEST_F(Frames, OfMarkupsAreConvertedToFramesOfMeshes) {
   const auto expect = [&](const std::string& system, const CoordinateFrame& mesh, bool turned) {
     const std::string member = system.empty() ? "" : "\"coordinateSystem\": \"" + system + "\", ";
     const auto curves = read_curves(path("a.mrk.json"), markup(member), mesh);

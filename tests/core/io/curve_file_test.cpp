@@ -68,7 +68,7 @@ TEST_P(PositionFormats, SurviveDamage) {
 INSTANTIATE_TEST_SUITE_P(All, PositionFormats,
                          ::testing::Values("c.obj", "c.ply", "c.vtp", "c.vtk", "c.mrk.json"));
 
-TEST_F(CurveFile, OursGivesPointsBackBitForBit) {
+TEST_F(CurveFile, JsonKeepsPointsBitForBit) {
   const SurfaceMesh mesh = test::odd_sphere();
   const std::vector<SurfaceCurve> curves{test::ring(mesh), test::walk(mesh),
                                          test::vertex_walk(mesh, 40, 9)};
@@ -86,7 +86,7 @@ TEST_F(CurveFile, OursGivesPointsBackBitForBit) {
 }
 
 // Every edge, as a side of both its faces, with fractions that rounding could change.
-TEST_F(CurveFile, OursLosesNoFractionOnAnyEdge) {
+TEST_F(CurveFile, JsonKeepsFractionsOnEveryEdge) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::sphere(1));
   const Surface& surface = mesh.surface();
   std::vector<SurfaceCurve> curves;
@@ -160,7 +160,7 @@ TEST_F(CurveFile, EachFaceContainsThePointAndTheNext) {
   }
 }
 
-TEST_F(CurveFile, RefusesWhatIsNoCurveOnTheMesh) {
+TEST_F(CurveFile, RefusesCurvesThatDoNotLieOnTheMesh) {
   const SurfaceMesh mesh = test::odd_sphere();
   const auto code = [&](const std::vector<SurfaceCurve>& curves) {
     try {

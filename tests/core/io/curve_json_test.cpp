@@ -112,7 +112,7 @@ TEST_F(CurveSlicer, LpsIsTheMeshesOwnFrame) {
 }
 
 // RAS and LPS differ by a half turn about the third axis.
-TEST_F(CurveSlicer, RasIsTurned) {
+TEST_F(CurveSlicer, RasIsConvertedToLps) {
   const auto curves =
       read("a.mrk.json", markups("ClosedCurve", "\"coordinateSystem\": \"RAS\", ", kTwo));
   ASSERT_EQ(curves.size(), 1U);
@@ -184,7 +184,7 @@ TEST_F(CurveSlicer, UnitsThatAreUnknownAreRefused) {
   EXPECT_THROW(LengthUnit::named("MM"), Error);
 }
 
-TEST_F(CurveSlicer, IsKnownByItsContentToo) {
+TEST_F(CurveSlicer, IsAlsoRecognizedByContent) {
   EXPECT_EQ(read("a.json", markups("Curve", "", kTwo)).size(), 1U);
 }
 

@@ -61,7 +61,7 @@ TEST(WorkbenchBorders, AreReadAsPointsBetweenVertices) {
   }
 }
 
-TEST(WorkbenchBorders, WeightsOfSixDigitsAreTakenForWhatTheyMean) {
+TEST(WorkbenchBorders, WeightsOfSixDigitsAreNormalized) {
   const auto curves =
       read_curves("a.border", border(part("0 1 2 0 2 3", "0.333333 0.333333 0.333333 0 0 1")));
   const SurfaceMesh mesh = square();
@@ -106,7 +106,7 @@ void expect_refused(const std::string& bytes, std::initializer_list<const char*>
   }
 }
 
-TEST(WorkbenchBorders, LiesAreRefused) {
+TEST(WorkbenchBorders, MalformedFilesAreRefused) {
   expect_refused("no xml", {"XML"});
   expect_refused("<VTKFile/>", {"<BorderFile>"});
   expect_refused(border("", "Version=\"1\""), {"version '1'", "-border-version-convert"});

@@ -84,7 +84,7 @@ TEST_F(FileBytes, FoldersAndAbsentFoldersAreNamed) {
   EXPECT_THROW(read_file(write("empty", "")), Error);
 }
 
-TEST_F(FileBytes, WhatCannotBeWrittenIsKnownBefore) {
+TEST_F(FileBytes, UnwritableFilesAreDetectedBefore) {
   const auto reason = [](const std::filesystem::path& path) -> std::string {
     try {
       check_writable(path);

@@ -82,7 +82,7 @@ const std::string kPlyVertices =
     "property float x\nproperty float y\nproperty float z\nelement face 1\n"
     "property list uint int vertex_indices\nend_header\n";
 
-TEST(HostileFiles, SizesThatLieTakeNoMemory) {
+TEST(HostileFiles, FalseSizesTakeNoMemory) {
   const LittleMemory little;
   const std::string vertices = "element vertex 4000000000\n" + kPlyVertices;
   expect_bad_mesh("a.ply", "ply\nformat ascii 1.0\n" + vertices + "0 0 0\n", {"vertex 1 of 4000"});
@@ -118,7 +118,7 @@ TEST(HostileFiles, SizesThatLieTakeNoMemory) {
                   {"ends in the positions"});
 }
 
-TEST(HostileFiles, SizesOfCurveFilesThatLieTakeNoMemory) {
+TEST(HostileFiles, FalseSizesOfCurveFilesTakeNoMemory) {
   const LittleMemory little;
   expect_bad_curve("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty "

@@ -84,7 +84,7 @@ TEST(LabelFile, OfFreeSurferHasTheNumbersAndNamesOfTheColorTable) {
   }
 }
 
-TEST(LabelFile, OfFreeSurferRefusesLies) {
+TEST(LabelFile, OfFreeSurferRefusesMalformedFiles) {
   const std::string whole = annot();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     if (size == annot_vertices().size()) continue;  // without its table the file is complete
@@ -209,7 +209,7 @@ TEST(LabelFile, OfBinaryPly) {
   }
 }
 
-TEST(LabelFile, OfPlyRefusesWhatIsNoLabel) {
+TEST(LabelFile, OfPlyRefusesNumbersThatAreNoLabels) {
   expect_refused("m.ply", ply("ascii") + kPlyText, "segment, label", "color");
   expect_refused("m.ply",
                  ply("ascii", "float label") +

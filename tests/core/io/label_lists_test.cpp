@@ -213,7 +213,7 @@ TEST(LabelWriter, KeepsAttributesOfTheMesh) {
   EXPECT_EQ(read("a.ply", bytes).labels, (Labels{4, 5, 6, 7}));
 }
 
-TEST(LabelWriter, RefusesWhatAFormatCannotHold) {
+TEST(LabelWriter, RefusesLabelsThatAFormatCannotHold) {
   const auto write = [](const char* name, const LabelOutput& output) {
     return [name, &output] { return label_bytes(name, output, kSquare); };
   };

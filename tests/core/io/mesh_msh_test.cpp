@@ -121,7 +121,7 @@ TEST(MshMesh, BinaryOfVersion4) {
   }
 }
 
-TEST(MshMesh, VolumesAreToldAndNoSurface) {
+TEST(MshMesh, VolumesAreReportedAndAreNoSurface) {
   const std::string start =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
       "$EndNodes\n$Elements\n";

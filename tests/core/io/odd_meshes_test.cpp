@@ -129,7 +129,7 @@ TEST(OddMeshes, StlInUpperCase) {
             ", line 4: a coordinate is 'nan', which is not a finite number.");
 }
 
-TEST(OddMeshes, VerticesThatAreNowhereAreKeptIfNoFaceUsesThem) {
+TEST(OddMeshes, NonFiniteVerticesAreKeptIfNoFaceUsesThem) {
   const std::string obj = "v nan 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -inf\n";
   const std::string off = "OFF\n5 1 0\nnan 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 -inf\n";
   const std::string ply =
@@ -161,7 +161,7 @@ TEST(OddMeshes, VerticesThatAreNowhereAreKeptIfNoFaceUsesThem) {
   EXPECT_EQ(refusal_of("a.obj", "v 0 x 0\n"), ", line 1: expected a coordinate, found 'x'.");
 }
 
-TEST(OddMeshes, FormatsThatAreNotReadGetAWordOnWhatToDo) {
+TEST(OddMeshes, FormatsThatAreNotReadGetAdvice) {
   const auto says = [](const char* name, const char* words) {
     const std::string what = refusal_of(name, "x");
     EXPECT_NE(what.find(words), what.npos) << what;

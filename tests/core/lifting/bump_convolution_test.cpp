@@ -132,7 +132,7 @@ TEST(BumpConvolution, SymmetricOnASphere) {
   }
 }
 
-TEST(BumpConvolution, BoundaryAveragesWhatIsInside) {
+TEST(BumpConvolution, BoundaryAveragesOnlyInnerValues) {
   const MeshLists lists = grid(10, 10);
   const Surface surface = surface_of_lists(lists);
   std::vector<double> values;

@@ -54,7 +54,7 @@ TEST(Potential, StaysFinite) {
   EXPECT_EQ(Potential({}, 1, 1)(std::numeric_limits<double>::infinity()), 0);
 }
 
-TEST(Potential, RefusesWhatIsOutOfRange) {
+TEST(Potential, RefusesValuesOutOfRange) {
   EXPECT_THROW(Potential({}, -1, 1), Error);
   EXPECT_THROW(Potential({}, std::nan(""), 1), Error);
   EXPECT_THROW(Potential({}, 1, 0), Error);

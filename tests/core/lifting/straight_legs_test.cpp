@@ -56,7 +56,7 @@ TEST_F(StraightLegsOnHills, OnlyTheLegsBesideAMovedPointAreMadeAnew) {
   EXPECT_EQ(straightened(through(clicks, true)), 1U);
 }
 
-TEST_F(StraightLegsOnHills, WhatIsKeptIsWhatWouldBeMade) {
+TEST_F(StraightLegsOnHills, KeptLegsEqualNewlyMadeLegs) {
   std::vector<VertexId> clicks{at(5, 10), at(17, 30), at(30, 12), at(40, 33)};
   straightened(through(clicks));
   clicks.push_back(at(50, 50));

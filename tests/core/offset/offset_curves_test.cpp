@@ -278,7 +278,7 @@ TEST(OffsetCurves, LieOnBothSidesOfACurveThatDoesNotSeparate) {
   expect_sound(mesh, curve, result, 1.5e-3);
 }
 
-TEST(OffsetCurves, SayWhyThereAreNone) {
+TEST(OffsetCurves, GiveTheReasonIfThereAreNone) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(20, 20));
   const SurfaceCurve curve = line_on(mesh, {Point(0, 5, 0), Point(20, 5, 0)});
   const OffsetResult far = offset(mesh, curve, 30);
@@ -379,7 +379,7 @@ TEST(OffsetCurves, ScaleWithTheMesh) {
   }
 }
 
-TEST(OffsetCurves, AreMadeAlikeTwice) {
+TEST(OffsetCurves, AreTheSameInASecondRun) {
   const SurfaceMesh mesh = rough_mesh(4);
   const SurfaceCurve curve = line_on(mesh, {mesh.point(VertexId{160}), mesh.point(VertexId{390})});
   const OffsetResult a = offset(mesh, curve, 1.7), b = offset(mesh, curve, 1.7);

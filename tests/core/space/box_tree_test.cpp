@@ -52,7 +52,7 @@ TEST_P(BoxTreeOf, Pairs) {
   EXPECT_EQ(found, expected);
 }
 
-TEST_P(BoxTreeOf, WhatAPlaceOverlaps) {
+TEST_P(BoxTreeOf, VisitFindsAllOverlaps) {
   const BoxTree tree(boxes_.size(), box_of());
   for (const SpaceBox& place : random_boxes(50, false, engine_)) {
     std::set<std::uint32_t> expected, found;
@@ -65,7 +65,7 @@ TEST_P(BoxTreeOf, WhatAPlaceOverlaps) {
   }
 }
 
-TEST_P(BoxTreeOf, TheNearestOfSmallestNumber) {
+TEST_P(BoxTreeOf, NearestPrefersTheSmallestIndex) {
   const BoxTree tree(boxes_.size(), box_of());
   for (const SpaceBox& place : random_boxes(200, false, engine_)) {
     const Point p = 2 * place.low - Point(0.5, 0.5, 0.5);

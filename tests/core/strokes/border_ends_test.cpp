@@ -73,7 +73,7 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
             "beyond it are left out, and it ends exactly there.");
 }
 
-TEST_F(BorderEnds, ItEndsWhereItLeavesAndNotBesideTheLastPoint) {
+TEST_F(BorderEnds, AStrokeEndsWhereItLeavesTheMesh) {
   // The stroke passes (0, 8) at 27 degrees; the boundary point nearest to its beginning is (0, 6).
   const SnappedCurve stroke = snapped(line({-4, 6, 0}, {16, 16, 0}, 0.7));
   expect_at(stroke.points.front(), {0, 8, 0});
@@ -109,7 +109,7 @@ TEST_F(BorderEnds, ALineFarBeyondTheMeshIsCutOffUnlessMostOfItIs) {
   }
 }
 
-TEST_F(BorderEnds, WrongPositionsHaveTheirOwnNumbers) {
+TEST_F(BorderEnds, ErrorsNumberPositionsAsGiven) {
   std::vector<Point> points = line({-3, 10, 0}, {20, 10, 0}, 1);
   points[12].y() = std::numeric_limits<double>::quiet_NaN();
   try {
@@ -147,7 +147,7 @@ TEST_F(BorderEnds, ClicksBeyondTheBorderStay) {
   EXPECT_EQ(snap(mesh, input).beyond_border[0].points, 0U);
 }
 
-TEST_F(BorderEnds, EndsJustShortAreLedToTheBorderAndTold) {
+TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   const SnappedDrawing drawing = led(straight({1.5, 10.3, 0}, {18.2, 10.3, 0}));
   expect_at(drawing.curves[0].points.front(), {0, 10.3, 0});
   expect_at(drawing.curves[0].points.back(), {20, 10.3, 0});
@@ -160,7 +160,7 @@ TEST_F(BorderEnds, EndsJustShortAreLedToTheBorderAndTold) {
             "The end of curve 0 lies 1.8 mesh units before the border; it is led straight to it.");
 }
 
-TEST_F(BorderEnds, NearIsTwoEdges) {
+TEST_F(BorderEnds, EndsWithinTwoEdgesAreExtended) {
   // A third of the edges are diagonals: the mean edge length is 1.138.
   expect_at(led(straight({2.2, 10, 0}, {12, 10, 0})).curves[0].points.front(), {0, 10, 0});
   const SurfaceCurve far = straight({2.4, 10, 0}, {12, 10, 0});
@@ -174,7 +174,7 @@ TEST_F(BorderEnds, AShortCurveIsNotDoubled) {
   EXPECT_EQ(led(spur).curves[0].points, spur.points);
 }
 
-TEST_F(BorderEnds, ALoopStays) {
+TEST_F(BorderEnds, LoopsStayUnchanged) {
   SurfaceCurve loop = lines.join(snapped({{1, 1, 0}, {4, 1, 0}, {4, 4, 0}}).points, true);
   EXPECT_EQ(led(loop).curves[0].points, loop.points);
 }
@@ -188,7 +188,7 @@ TEST_F(BorderEnds, AnEndOnAnotherCurveStays) {
   EXPECT_EQ(after.curves[0].points.back(), drawing.curves[0].points.back());
 }
 
-TEST_F(BorderEnds, OnlyStrokesAreLedWhereOnlyTheyAreMeant) {
+TEST_F(BorderEnds, OtherCurvesStayIfOnlyStrokesAreExtended) {
   const SnappedCurve stroke = snapped(line({1.5, 10, 0}, {15, 10, 0}, 0.5));
   SnappedCurve given{false, snapped(line({1.5, 14, 0}, {15, 14, 0}, 0.5)).points};
   const SnappedDrawing drawing =
@@ -197,7 +197,7 @@ TEST_F(BorderEnds, OnlyStrokesAreLedWhereOnlyTheyAreMeant) {
   EXPECT_EQ(drawing.curves[1].points.front(), given.points.front());
 }
 
-TEST_F(BorderEnds, AHandThatIsFastLeavesLargerGaps) {
+TEST_F(BorderEnds, AFastHandAllowsLargerGaps) {
   const SurfaceMesh strip = SurfaceMesh::open(test::grid(80, 10));
   StraightLines own(strip.surface());
   const SnappedCurve stroke = snap(strip, {false, line({4, 5, 0}, {76, 5, 0}, 3), {}});

@@ -89,7 +89,7 @@ TEST_F(StrokesOfHands, AreTheSameHoweverTheyAreSampled) {
 }
 
 /// The hand trembles little and wanders in longer waves.
-TEST_F(StrokesOfHands, AreNotTakenForTheJitterOfTheirDevice) {
+TEST_F(StrokesOfHands, TremblingIsNotTakenForJitter) {
   const auto wandering = [](double step, double jitter, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> off(0, jitter);
@@ -111,7 +111,7 @@ TEST_F(StrokesOfHands, AreNotTakenForTheJitterOfTheirDevice) {
   }
 }
 
-TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
+TEST_F(StrokesOfHands, RestsAreLeftOut) {
   const SmoothingResult ten = smoothed(stroke(0.33));
   std::vector<Point> points;
   std::mt19937 random(5);
@@ -133,7 +133,7 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
 
 /// A mouse gives a point every two edges, and a hundred points where the hand rests. A tablet's pen
 /// at rest wobbles by more than the spacing of its samples in motion.
-TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
+TEST_F(StrokesOfHands, RestsAreLeftOutForAnySampling) {
   std::mt19937 random(5);
   for (const double step : {2.0, 1.0, 0.3, 0.1}) {
     for (const double wobble : {0.003, 0.05, 0.15}) {
@@ -160,7 +160,7 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
 }
 
 /// A slow hand still moves: careful parts keep all their bends.
-TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
+TEST_F(StrokesOfHands, SlowPartsAreNoRests) {
   std::vector<Point> points;
   for (double x = 0; x < 30; x += 2) points.emplace_back(5 + x, 20 + 0.3 * trembling(x, 7), 0);
   for (double x = 0; x < 12; x += 0.05) {
@@ -171,7 +171,7 @@ TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
   EXPECT_TRUE(hand_rests(opened->mesh(), drawn).empty());
 }
 
-TEST_F(StrokesOfHands, DoNotRestWhereTheyWindAroundSomething) {
+TEST_F(StrokesOfHands, WindingsAreNoRests) {
   std::vector<Point> points;
   for (double x = 0; x < 40; x += 1) points.emplace_back(5 + x, 20, 0);
   for (int k = 0; k < 60; ++k) {  // five turns, each a little farther to the right
@@ -219,7 +219,7 @@ TEST_F(StrokesOfHands, KeepAGivenSlack) {
   EXPECT_EQ(smoother.smooth(options).report().slack, 0.3);
 }
 
-TEST_F(StrokesOfHands, MayBePinnedWhereSomethingWasLeftOut) {
+TEST_F(StrokesOfHands, PinsMayLieOnPointsLeftOut) {
   smoothed(stroke(0.01));
   const SurfacePoint pin = drawn.points[drawn.points.size() / 3];
   ASSERT_TRUE(smoother.set_pins(std::span(&pin, 1)));
@@ -270,7 +270,7 @@ TEST_F(StrokesOfHands, KeepCornersAndWavesThatAreLargerThanTheirTrembling) {
   EXPECT_LT(smoothed(waves).report().deviation_from_drawn_max, 0.5);
 }
 
-TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
+TEST_F(StrokesOfHands, CarefulAndRoughPartsHaveDifferentSlacks) {
   std::vector<Point> points;
   const auto fine = [](double x) { return trembling(x * 1.2, 4) / 6; };
   for (double x = 0; x <= 45; x += 0.05) points.emplace_back(3 + x, 20 + fine(x), 0);
@@ -284,7 +284,7 @@ TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
   EXPECT_LT(careful, 0.3);  // would be 0.8 with the slack of the other half
 }
 
-TEST_F(StrokesOfHands, LoopsTrembleAsLinesDo) {
+TEST_F(StrokesOfHands, LoopsHaveTheSlackOfLines) {
   std::vector<std::vector<Point>> loops(2);
   for (std::size_t k = 0; k < 2; ++k) {
     const double step = k == 0 ? 0.1 : 0.02;

@@ -48,7 +48,7 @@ TEST(BendingVertices, AreTheEndsOfEdgesOfNoLength) {
   EXPECT_TRUE(bending.contain(VertexId{12}));
 }
 
-TEST(BendingVertices, AreNotWithoutFaces) {
+TEST(BendingVertices, DoNotIncludeIsolatedVertices) {
   test::TestMesh mesh = test::grid(1, 1);
   mesh.points.push_back({5, 5, 5});
   const Surface surface = test::surface_of(mesh);

@@ -8,7 +8,7 @@
 namespace talweg {
 namespace {
 
-TEST(CurveComponents, KeepTheFrontOutOfTheOthers) {
+TEST(CurveComponents, KeepTheFrontOutOfOtherComponents) {
   test::TestMesh mesh = test::grid(10, 10);
   const auto n = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t i = 0, faces = mesh.triangles.size(); i < faces; ++i) {

@@ -32,7 +32,7 @@ double shortest(const std::vector<EdgeWindow>& windows, double x) {
   return least;
 }
 
-TEST(EdgeBounds, RuleOutOnlyWhereAKnownWayIsShorter) {
+TEST(EdgeBounds, RuleOutOnlyPlacesWithAShorterKnownWay) {
   std::mt19937_64 random(7);
   double whole = 0, left = 0;
   for (int run = 0; run < 200; ++run) {
@@ -60,7 +60,7 @@ TEST(EdgeBounds, RuleOutOnlyWhereAKnownWayIsShorter) {
   EXPECT_LT(left, 0.6 * whole);  // the bounds rule out a good part
 }
 
-TEST(EdgeBounds, KnowNothingAtFirst) {
+TEST(EdgeBounds, KeepTheWholeWindowAtFirst) {
   const EdgeBounds bounds(2, 8);
   EdgeWindow window;
   window.begin = 0.3;

@@ -25,7 +25,7 @@ std::vector<double> marched(const Surface& surface, std::vector<double> distance
   return distance;
 }
 
-TEST(MarchDistance, IsThatOfThePlaneAroundAPoint) {
+TEST(MarchDistance, IsAccurateAroundAPoint) {
   constexpr std::size_t kSide = 41, kMiddle = 20;
   std::vector<double> start(kSide * kSide, kFar);
   const auto exact = [](std::size_t v) {
@@ -39,7 +39,7 @@ TEST(MarchDistance, IsThatOfThePlaneAroundAPoint) {
   for (std::size_t v = 0; v < distance.size(); ++v) EXPECT_NEAR(distance[v], exact(v), 1e-9) << v;
 }
 
-TEST(MarchDistance, IsNearlyThatOfALine) {
+TEST(MarchDistance, IsAccurateAroundALine) {
   constexpr std::size_t kSide = 31;
   std::vector<double> start(kSide * kSide, kFar);
   for (std::size_t v = 0; v < 2 * kSide; ++v) start[v] = static_cast<double>(v / kSide);
@@ -54,7 +54,7 @@ TEST(MarchDistance, IsNearlyThatOfALine) {
   }
 }
 
-TEST(MarchDistance, KeepsWhatIsKnownAndLeavesWhatCannotBeReached) {
+TEST(MarchDistance, KeepsKnownDistancesAndLeavesUnreachableVertices) {
   std::vector<double> start(9, kFar);
   EXPECT_EQ(marched(plane(3), start), start);
   start[0] = 5;

@@ -174,7 +174,7 @@ TEST(PolylineDistance, KnowsACurveOfOnePointInItsOwnFace) {
 }
 
 /// within() must agree with distances at points along the edges.
-TEST(PolylineDistance, TellsWhereEdgesAreWithinALimit) {
+TEST(PolylineDistance, FindsStretchesOfEdgesWithinALimit) {
   Random random(3);
   const TestMesh mesh = test::grid(9, 9, 0.24, 3);
   const Surface surface = test::surface_of(mesh);
@@ -705,7 +705,7 @@ TEST(PolylineDistance, IsInfiniteWhereThereIsNoCurve) {
   EXPECT_EQ(distance.at_vertex(VertexId{0}).distance, kInfinity);
 }
 
-TEST(PolylineDistance, BelowDoesNotLookForWhatHasNoCurve) {
+TEST(PolylineDistance, BelowDoesNotSearchComponentsWithoutACurve) {
   TestMesh mesh = test::grid(40, 40);
   const auto n = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t v = 0; v < n; ++v) mesh.points.push_back(mesh.points[v]);
@@ -766,7 +766,7 @@ TEST(PolylineDistance, KnowsTheArcLengthOfItsPoints) {
   }
 }
 
-TEST(PolylineDistance, CostsWhatItTouches) {
+TEST(PolylineDistance, CostDependsOnTheTouchedPart) {
   const Surface surface = test::surface_of(test::grid(200, 200, 0.2));
   const SurfaceCurve curve = through_vertices(surface, {100 + 201 * 100, 101 + 201 * 100});
   PolylineDistance distance(surface);
@@ -776,7 +776,7 @@ TEST(PolylineDistance, CostsWhatItTouches) {
   EXPECT_LT(distance.window_count(), 1000U);
 }
 
-TEST(PolylineDistance, RejectsWhatIsNoCurve) {
+TEST(PolylineDistance, RejectsInvalidCurves) {
   const Surface surface = test::surface_of(test::grid(3, 3));
   PolylineDistance distance(surface);
   SurfaceCurve curve = through_vertices(surface, {0, 1, 2});

@@ -30,7 +30,7 @@ TEST(StepQueue, OrdersBySteps) {
   EXPECT_EQ(ids_in_order(queue), (std::vector<std::uint32_t>{1, 2, 0, 4, 3}));
 }
 
-TEST(StepQueue, TakesWhatComesTooLateAtOnce) {
+TEST(StepQueue, LateItemsJoinTheCurrentStep) {
   StepQueue queue;
   queue.reset(0.5);
   queue.push({0.9, 1, 0});

@@ -43,7 +43,7 @@ TEST_F(SourcesInAFace, APointSeesTheWholeOfEverySide) {
 }
 
 // A horizontal segment from (0.5, 0.25) to (0.75, 0.25).
-TEST_F(SourcesInAFace, ASegmentReachesWhatLiesStraightAcross) {
+TEST_F(SourcesInAFace, ASegmentReachesPlacesStraightAcross) {
   const PolylinePiece segment = piece(0.5, 0.25, 0.75, 0.25);
   const auto below = window_of_segment(segment, frames_[0], 0);
   ASSERT_TRUE(below);

@@ -84,7 +84,7 @@ class Against {
   int count_ = 0;
 };
 
-TEST(WindowLists, AreAsPlainListsHoweverMany) {
+TEST(WindowLists, AgreeWithPlainListsOfAnySize) {
   const EdgeId edge{1};
   Against both(1);
   for (int round = 0; round < 2; ++round) {

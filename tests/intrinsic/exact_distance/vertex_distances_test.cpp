@@ -52,7 +52,7 @@ TEST(VertexDistances, AreOnlyLowered) {
   EXPECT_EQ(distances[v].distance, 0);
 }
 
-TEST(VertexDistances, KnowWhatWasReached) {
+TEST(VertexDistances, ListTheReachedVertices) {
   VertexDistances distances(4);
   for (const std::size_t v : {2UL, 0UL, 2UL}) distances.lower(VertexId{v}, {1, 0, 0});
   ASSERT_EQ(distances.reached().size(), 2U);

@@ -30,7 +30,9 @@ class WaysIntoAFace : public testing::Test {
   const PlanePoint right_{1, 0}, up_{0, 1};
 };
 
-TEST_F(WaysIntoAFace, AreNoneAtFirst) { EXPECT_TRUE(std::isinf(ways_.hit(at_).nearest.distance)); }
+TEST_F(WaysIntoAFace, AreInfiniteAtFirst) {
+  EXPECT_TRUE(std::isinf(ways_.hit(at_).nearest.distance));
+}
 
 TEST_F(WaysIntoAFace, ComeFromCorners) {
   ways_.corners[0] = {3, 0, 0};

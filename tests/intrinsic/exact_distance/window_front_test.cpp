@@ -42,7 +42,7 @@ TEST_F(MarchOnAGrid, FromACornerIsEuclidean) {
   EXPECT_TRUE(std::isinf(front_.distance()));
 }
 
-TEST_F(MarchOnAGrid, WhatLiesBehindTheFrontIsFinal) {
+TEST_F(MarchOnAGrid, DistancesBehindTheFrontAreFinal) {
   front_.reset(0.25);
   front_.start_at(VertexId{0}, {0, 0, 0});
   double before = 0;

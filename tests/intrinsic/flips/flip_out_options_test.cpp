@@ -36,7 +36,7 @@ TEST(FlipOutOptions, PinnedVerticesAreKept) {
   EXPECT_EQ(other.paths[0].termination, Termination::kConverged);
 }
 
-TEST(FlipOutOptions, PinsThatThePathDoesNotPassAreNothingToIt) {
+TEST(FlipOutOptions, PinsOffThePathHaveNoEffect) {
   // While it is straightened, the path meets vertices that are pinned for other paths.
   const TestMesh mesh = grid(8, 8, 0.2);
   const Surface s = surface_of(mesh);

@@ -24,7 +24,7 @@ TestMesh fan_at(const std::vector<double>& degrees) {
   return mesh;
 }
 
-TEST(FlipOutRelease, JointAtTheOuterEndOfASpikeThatIsTakenBack) {
+TEST(FlipOutRelease, JointAtTheOuterEndOfARemovedSpike) {
   // The first path runs straight over the centre (150° to 330°), with a detour from the centre
   // around the triangle between 10° and 20°. The second path bends at the centre by the wedge from
   // 0° to 30°. This wedge is the sharpest, so it is tried first and is blocked by the triangle. The

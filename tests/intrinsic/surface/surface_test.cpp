@@ -146,7 +146,7 @@ TEST(Surface, EmptySurface) {
   EXPECT_EQ(components_of(s).count, 0U);
 }
 
-TEST(Surface, RefusesWhatIsNoSurface) {
+TEST(Surface, RefusesFacesThatAreNoSurface) {
   EXPECT_NE(refused(3, {{0, 1, 3}}).find("vertex 3"), std::string::npos);
   EXPECT_NE(refused(4, {{0, 1, 2}, {2, 1, 1}}).find("Face 1 uses a vertex twice"),
             std::string::npos);
@@ -226,7 +226,7 @@ TEST(Surface, RandomGluingsAreConsistent) {
   }
 }
 
-TEST(Surface, RefusesLengthsThatAreNone) {
+TEST(Surface, RefusesInvalidLengths) {
   Surface s = surface_of(tetrahedron());
   EXPECT_NE(bad_mesh([&] { s.set_lengths({1, 2}); }).find("6 edges"), std::string::npos);
   for (const double bad :

@@ -88,7 +88,7 @@ TEST(Triangle, Area) {
   }
 }
 
-TEST(Triangle, ApexIsWhereItsDistancesSay) {
+TEST(Triangle, ApexHasTheGivenDistances) {
   Random random(2);
   for (int k = 0; k < 1000; ++k) {
     const double base = random.uniform(0.1, 2), x = random.uniform(-3, 3), y = random.uniform(0, 3);

@@ -20,7 +20,7 @@ TEST(ZeroedMemory, BeginsAsZerosAndKeepsValuesWhenItGrows) {
   EXPECT_EQ(copy, values);
 }
 
-TEST(ZeroedMemory, WhatIsAppendedWithAValueHasIt) {
+TEST(ZeroedMemory, AppendedElementsHaveTheirValue) {
   ZeroedVector<std::uint32_t> values(10, 5);
   values.resize(2);
   values.resize(6, 0);
