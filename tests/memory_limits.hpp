@@ -1,4 +1,4 @@
-// Sanitizers reserve more addresses than a limit leaves.
+// Sanitizers reserve more addresses than a memory limit allows.
 #pragma once
 
 namespace talweg::test {

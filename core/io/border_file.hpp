@@ -1,4 +1,4 @@
-// A border file is a curve file with the labels beside each curve.
+// A border file is a curve file with the labels on both sides of each curve.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct SideLabels {
   std::int64_t left = 0, right = 0;
 };
 
-/// Like write_curves(), with the labels beside each curve where the format has a place for them:
+/// Like write_curves(), with the labels beside each curve if the format has a place for them:
 /// `.vtp` and `.vtk` as cell data `left` and `right`, `.json` as `left` and `right` of each curve,
-/// `.obj` as a group `left_right`. Other formats leave them out. Throws as write_curves() does, and
-/// Error(kBadUsage) when the number of sides is not that of the curves.
+/// `.obj` as a group `left_right`. Other formats leave the labels out. Throws as write_curves()
+/// does, and Error(kBadUsage) if `sides` and `curves` differ in size.
 void write_borders(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
                    std::span<const SideLabels> sides, const CoordinateFrame& frame = {});
 

@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// One value at `at`, which need not be aligned; its bytes are reversed first if `swap` is set.
+/// One value at `at`, which need not be aligned; the bytes are reversed first if `swap` is set.
 template <class T>
 T load(const char* at, bool swap) {
   std::array<char, sizeof(T)> bytes;
@@ -77,7 +77,7 @@ class ByteCursor {
   explicit ByteCursor(std::string_view bytes) : bytes_(bytes) {}
   [[nodiscard]] std::size_t left() const { return bytes_.size(); }
   [[nodiscard]] std::string_view rest() const { return bytes_; }
-  /// The next n bytes; nullptr if there are fewer, and then nothing is taken.
+  /// The next n bytes; nullptr, and nothing is taken, if fewer are left.
   const char* take(std::size_t n) {
     if (n > bytes_.size()) return nullptr;
     const char* at = bytes_.data();

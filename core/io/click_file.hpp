@@ -1,4 +1,4 @@
-// A click file holds points that were set one by one, in their order.
+// A click file is a list of clicked points, in the order of the clicks.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@ namespace talweg {
 
 /// Reads the points of 3D Slicer's point lists and curves: `.fcsv`, or `.mrk.json` with one markup
 /// of type Fiducial, PointList, Line, Curve or ClosedCurve. Positions are converted to the frame of
-/// the mesh, as read_curves() does. The result is open but for a ClosedCurve; what was converted
-/// and left out is in its sentences (CurveInput::told).
-/// Throws Error(kBadFile) with one sentence that names the file, the place and what was expected.
+/// the mesh, as by read_curves(). Only a ClosedCurve gives a closed result. CurveInput::told has
+/// sentences on conversions and on points left out. Throws Error(kBadFile) with one sentence that
+/// names the file, the place and what was expected.
 CurveInput read_clicks(const std::filesystem::path& path, const CoordinateFrame& frame = {});
 /// Reads from a file's bytes in memory; the path gives the extension and the name in errors.
 CurveInput read_clicks(const std::filesystem::path& path, std::string_view bytes,

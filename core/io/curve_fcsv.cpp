@@ -1,4 +1,4 @@
-// 3D Slicer's lists of points (.fcsv): of Slicer 3 (label,x,y,z,sel,vis) and of later ones
+// 3D Slicer's lists of points (.fcsv): of Slicer 3 (label,x,y,z,sel,vis) and of later versions
 // (id,x,y,z,...,lock,label,...), as vtkMRMLMarkupsFiducialStorageNode reads and writes them.
 #include <algorithm>
 #include <array>
@@ -23,8 +23,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The cells of a line. One that begins with a quote ends with the next that is not doubled; its
-/// quotes stay, since only numbers are read.
+/// The cells of a line. A quoted cell ends at the next quote that is not doubled. Quotes are kept,
+/// since only numbers are read.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   while (cells.size() < kMostColumns) {
@@ -72,7 +72,7 @@ class FcsvReader {
   }
 
  private:
-  /// "CoordinateSystem = LPS" or "columns = id,x,y,z,...".
+  /// Reads a comment such as "CoordinateSystem = LPS" or "columns = id,x,y,z,...".
   void read_comment(std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == text.npos) return;
@@ -132,7 +132,7 @@ class FcsvReader {
 
   const Source& source_;
   WordScanner scanner_;
-  PatientSpace space_ = PatientSpace::kRas;  // of files that do not say it
+  PatientSpace space_ = PatientSpace::kRas;  // of files that name no space
   std::array<std::size_t, 3> columns_{1, 2, 3};
   std::optional<std::size_t> lock_;
 };
@@ -147,7 +147,7 @@ std::string write_fcsv(const std::filesystem::path& path, std::span<const Placed
     cannot_write(path, fmt::format("a .fcsv holds one list of points, and there are {} curves",
                                    curves.size()));
   }
-  const double scale = frame.unit.in(LengthUnit());  // it is in millimetres
+  const double scale = frame.unit.in(LengthUnit());  // the file is in millimetres
   const double sign = frame.turns(PatientSpace::kLps) ? -scale : scale;
   const PlacedCurve& curve = curves.front();
   fmt::memory_buffer out;

@@ -94,7 +94,7 @@ std::vector<CurveInput> read_curves(const std::filesystem::path& path, std::stri
 
 namespace {
 
-/// Whether a format that is written has the extension.
+/// Whether a format that Talweg writes has the extension.
 bool is_written(const std::string& extension) {
   constexpr std::array kWritten = {".obj", ".ply",      ".vtp",  ".vtk",   ".json",
                                    ".txt", ".mrk.json", ".fcsv", ".border"};

@@ -19,23 +19,23 @@ struct Source {
   CoordinateFrame frame;  ///< of the mesh
 };
 
-/// Readers and writers take one pass, O(bytes), but for read_json(): see parsed_json().
+/// Readers and writers take one pass, O(bytes), except read_json(): see parsed_json().
 std::vector<CurveInput> read_obj(const Source& source);
 std::vector<CurveInput> read_ply(const Source& source);
 std::vector<CurveInput> read_vtp(const Source& source);
 std::vector<CurveInput> read_vtk(const Source& source);
 std::vector<CurveInput> read_txt(const Source& source);
-/// Border files of connectome-workbench, version 3: points between vertices (BorderFile.cxx and
-/// Border.cxx of the program are its specification). Names and colors are not kept.
+/// Border files of connectome-workbench, version 3: points between vertices (specified by
+/// BorderFile.cxx and Border.cxx of the program). Names and colors are not kept.
 std::vector<CurveInput> read_workbench(const Source& source);
 std::vector<CurveInput> read_fcsv(const Source& source);
-/// Reads our own JSON, or Slicer's if the file has `markups`.
+/// Reads Talweg's JSON, or Slicer's if the file has `markups`.
 std::vector<CurveInput> read_json(const Source& source);
 
 /// The labels beside each curve, or none; formats without a place for them leave them out.
 using Sides = std::span<const SideLabels>;
 
-/// Whether anything is said of a point of the curves.
+/// Whether a point of the curves has a mark.
 bool has_marks(std::span<const PlacedCurve> curves);
 /// Whether all points of all curves have a normal.
 bool has_normals(std::span<const PlacedCurve> curves);
@@ -52,8 +52,8 @@ std::string write_vtk(std::span<const PlacedCurve> curves, Sides sides = {},
                       PatientSpace space = {});
 /// Throws Error(kBadFile) if a point is not a vertex.
 std::string write_txt(const std::filesystem::path& path, std::span<const PlacedCurve> curves);
-/// Throws Error(kBadFile) if the curves' mesh is not known. The structure is told by the file's
-/// name (lh., .L., hemi-L, and so on), or CORTEX.
+/// Throws Error(kBadFile) if the curves' mesh is not known. The file's name gives the structure
+/// (lh., .L., hemi-L, and so on; else CORTEX).
 std::string write_workbench(const std::filesystem::path& path, std::span<const PlacedCurve> curves,
                             Sides sides = {});
 /// In LPS and millimetres. Throws Error(kBadFile) if there are several curves.

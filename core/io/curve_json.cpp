@@ -1,4 +1,4 @@
-// Our own JSON: faces, barycentrics and positions, without loss.
+// Talweg's JSON: faces, barycentrics and positions, without loss.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint32_t kVersion = 1;
 
-/// true, a tolerance, or false: clicked, clicked about there, painted.
+/// The mark of the member `exact`: true for a click, a tolerance for an inexact click, false for a
+/// painted point.
 double mark_of(const JsonPlace& exact) {
   if (exact.is_boolean()) return exact.boolean() ? 0 : kPainted;
   constexpr const char* kExpected = "expected true, false or a tolerance of 0 or more, mesh units";
@@ -22,7 +23,7 @@ double mark_of(const JsonPlace& exact) {
   return exact.number();
 }
 
-/// The member `exact` of a point that has a mark.
+/// The member `exact`; empty for a point without a mark.
 std::string exact_member(const PlacedCurve& curve, std::size_t k) {
   const double mark = curve.exact.empty() ? kNotSaid : curve.exact[k];
   if (mark == kPainted) return ", \"exact\": false";
@@ -30,12 +31,12 @@ std::string exact_member(const PlacedCurve& curve, std::size_t k) {
   return mark == 0 ? ", \"exact\": true" : fmt::format(", \"exact\": {:.17g}", mark);
 }
 
-/// The member `pinned` of a point that must stay.
+/// The member `pinned`; empty for a point that is no pin.
 std::string pinned_member(const PlacedCurve& curve, std::size_t k) {
   return std::binary_search(curve.pins.begin(), curve.pins.end(), k) ? ", \"pinned\": true" : "";
 }
 
-/// The member `normal`, where the curve has normals.
+/// The member `normal`; empty for a curve without normals.
 std::string normal_member(const PlacedCurve& curve, std::size_t k) {
   if (curve.normals.size() != curve.positions.size()) return {};
   const Point& n = curve.normals[k];
@@ -52,7 +53,7 @@ CurveInput read_curve(const JsonPlace& curve) {
     const JsonPlace point = points.element(k);
     coordinates.push_back(
         {FaceId{point.member("face").index()}, point.member("barycentric").triple()});
-    // The position follows from face and barycentrics, so it only has to be valid.
+    // Face and barycentrics give the position, so `xyz` is only checked.
     if (point.has("xyz")) static_cast<void>(point.member("xyz").triple());
     if (point.has("pinned") && point.member("pinned").boolean()) result.pins.push_back(k);
     marks.push_back(point.has("exact") ? mark_of(point.member("exact")) : kNotSaid);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kMostPoints = std::int64_t{std::numeric_limits<std::uint32_t>::max()};
 
-/// An index as written, from 1 or relative from -1, with the line it stands on.
+/// The points of an `l` statement, and its line in the file.
 struct ObjLine {
   Line points;
   std::size_t line = 0;
@@ -26,7 +26,8 @@ Point read_vertex(WordScanner& scanner) {
   return p;
 }
 
-/// Points may come later in the file, so only the range of the ids is checked here.
+/// Reads an `l` statement. Indices count from 1, negative indices back from the newest point.
+/// Points may follow the lines that use them, so the upper bound is checked later.
 ObjLine read_line(WordScanner& scanner, std::size_t point_count) {
   ObjLine result{{}, scanner.line()};
   for (;;) {

@@ -14,7 +14,8 @@
 namespace talweg::formats {
 namespace {
 
-/// LPS where nothing is said, as the schema has it. Early files have the numbers of an enum.
+/// The space of a markup; LPS by default, as in the schema. Early files have the numbers of an
+/// enum.
 PatientSpace space_of(const JsonPlace& markup) {
   if (!markup.has("coordinateSystem")) return PatientSpace::kLps;
   const JsonPlace system = markup.member("coordinateSystem");
@@ -24,8 +25,8 @@ PatientSpace space_of(const JsonPlace& markup) {
   system.fail("expected \"LPS\" or \"RAS\", found \"" + printable(name) + "\"");
 }
 
-/// Reads a code like "mm", or a coded entry: code, coding scheme, meaning. Millimetres if there is
-/// none.
+/// The unit of a markup: a code like "mm", or a coded entry (code, coding scheme, meaning).
+/// Millimetres by default.
 LengthUnit unit_of(const JsonPlace& markup) {
   if (!markup.has("coordinateUnits")) return {};
   JsonPlace code = markup.member("coordinateUnits");
@@ -87,7 +88,7 @@ CurveInput read_markup(const JsonPlace& markup, bool closed, const Source& sourc
   return result;
 }
 
-/// A sentence that is told once for a file need not come with each of its curves.
+/// Keeps a sentence only at the first curve that has it.
 void tell_once(std::vector<CurveInput>& curves) {
   std::vector<std::string> said;
   for (CurveInput& curve : curves) {
@@ -99,8 +100,8 @@ void tell_once(std::vector<CurveInput>& curves) {
   }
 }
 
-/// The member `orientation`, where the curve has normals: a matrix whose third column is the
-/// normal.
+/// The member `orientation`: a matrix whose third column is the normal. Empty for a curve without
+/// normals.
 std::string orientation(const PlacedCurve& curve, std::size_t k, double sign) {
   if (curve.normals.size() != curve.positions.size()) return {};
   const Point n(sign * curve.normals[k].x(), sign * curve.normals[k].y(), curve.normals[k].z());

@@ -8,7 +8,8 @@
 namespace talweg::formats {
 namespace {
 
-/// Completes a list: it becomes a curve, closed if it repeats its first id at its end.
+/// Turns a list of ids into a curve; a list that repeats its first id at its end gives a closed
+/// curve.
 void finish(std::vector<VertexId>& ids, std::vector<CurveInput>& curves) {
   if (ids.empty()) return;
   CurveInput curve;

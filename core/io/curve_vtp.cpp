@@ -70,7 +70,7 @@ class VtpReader {
     for (std::size_t k = 0; k < x.size(); k += 3) points_.emplace_back(x[k], x[k + 1], x[k + 2]);
   }
 
-  /// Point data named exact, which a piece need not have.
+  /// Reads the optional point data `exact` of a piece.
   void read_marks(const pugi::xml_node& piece, std::size_t points) {
     const pugi::xml_node array =
         piece.child("PointData").find_child_by_attribute("DataArray", "Name", "exact");

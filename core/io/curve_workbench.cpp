@@ -107,7 +107,7 @@ class BorderReader {
   std::vector<CurveInput> curves_;
 };
 
-/// The structure that the file's name tells: "lh.", ".L." and the like.
+/// The structure that the file's name gives: "lh.", ".L." and the like.
 const char* structure_of(const std::filesystem::path& path) {
   const std::string name = "." + path.filename().string();
   const auto has = [&](const char* part) { return name.find(part) != name.npos; };
@@ -130,7 +130,7 @@ void put_part(std::string& text, const PlacedCurve& curve) {
   fmt::format_to(out, "</Weights>\n</BorderPart>\n");
 }
 
-/// Names of borders differ; several parts of one border have its name.
+/// The name of the border of a curve. Curves with the same name become parts of one border.
 std::string name_of(std::size_t curve, Sides sides) {
   if (sides.empty()) return fmt::format("curve_{}", curve);
   return fmt::format("{}_{}", sides[curve].left, sides[curve].right);

@@ -17,7 +17,7 @@ class FaceNaming {
  public:
   explicit FaceNaming(const char* keyword) { names_.keyword = keyword; }
 
-  /// All faces up to `faces` that have no name yet get this one; "" is none.
+  /// Names all faces up to `faces` that have no name yet; "" stands for no name.
   void add(const std::string& name, std::size_t faces) {
     const std::string shown = printable(name);
     const auto next = static_cast<std::uint32_t>(names_.names.size());
@@ -25,7 +25,7 @@ class FaceNaming {
     if (fresh) names_.names.push_back(shown);
     names_.of_face.resize(faces, place->second);
   }
-  /// Moves them there, if any face has a name.
+  /// Moves the names to the attributes of a mesh, if any face has a name.
   void give(MeshAttributes& to) {
     if (names_.names.size() > 1) to.names.push_back(std::move(names_));
   }

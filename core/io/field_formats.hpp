@@ -1,4 +1,4 @@
-// Each format of numbers per vertex has its own function behind field_values.hpp.
+// Each format of numbers per vertex has its own reader behind field_values.hpp.
 #pragma once
 
 #include <vector>

@@ -32,14 +32,14 @@ struct stat status_of(std::FILE& file) {
   return status;
 }
 
-/// Detects that a file was written while it was read, since a mixture of the old and the new file
-/// would be taken for a mesh.
+/// Detects that a file was written during reading. A mixture of the old and the new file could pass
+/// as a mesh.
 bool changed(const struct stat& before, const struct stat& now) {
   return before.st_size != now.st_size || before.st_mtim.tv_sec != now.st_mtim.tv_sec ||
          before.st_mtim.tv_nsec != now.st_mtim.tv_nsec;
 }
 
-/// Returns the reason of a failure; empty on success.
+/// Writes the bytes. Returns the reason of a failure; empty on success.
 std::string put(File file, std::string_view bytes) {
   errno = 0;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
@@ -49,15 +49,15 @@ std::string put(File file, std::string_view bytes) {
   return std::strerror(written ? errno : write_errno);
 }
 
-/// The file to replace: the one that a link leads to.
+/// The file to replace: the target of a symbolic link, otherwise the path itself.
 fs::path target_of(const fs::path& path) {
   std::error_code failed;
   fs::path target = fs::canonical(path, failed);
   return failed ? path : target;
 }
 
-/// A new file beside the target that nobody else uses. Its name contains the process id, so that
-/// files left behind by killed processes do not block names.
+/// Creates a new file beside the target. The name contains the process id, so that files left
+/// behind by killed processes do not block names.
 File open_beside(const fs::path& target, fs::path& temporary) {
   for (int k = 0; k < kTemporaryNames; ++k) {
     temporary = target;

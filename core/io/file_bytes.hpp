@@ -1,4 +1,4 @@
-// A file's bytes are read and written whole.
+// Files are read and written as a whole.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +17,9 @@ std::string read_file(const std::filesystem::path& path);
 /// reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws what write_file() would, as far as that can be known before: the folder is missing or not
-/// writable, the path is a directory, or its name is too long. Creates the temporary file of
-/// write_file() and removes it; the target is not touched.
+/// Throws as write_file() would if the folder is missing or not writable, the path is a directory,
+/// or its name is too long. Creates the temporary file of write_file() and removes it; the target
+/// is not touched.
 void check_writable(const std::filesystem::path& path);
 
 /// Throws Error(kBadFile): "Cannot read PATH: WHAT."

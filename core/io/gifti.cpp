@@ -35,7 +35,7 @@ std::string_view name_of(const pugi::xml_node& array) {
   return "";
 }
 
-/// Numbers that are stored column after column, row after row.
+/// Reorders numbers from column after column to row after row.
 std::vector<double> by_rows(const std::vector<double>& stored, std::size_t rows) {
   std::vector<double> numbers;
   numbers.reserve(stored.size());
@@ -125,7 +125,7 @@ std::vector<double> Gifti::numbers(const GiftiArray& array) const {
     const bool swap = (order == "BigEndian") == (std::endian::native == std::endian::little);
     try {
       std::string bytes = from_base64(text);
-      // So many bytes are in no file that is read.
+      // More bytes than the largest file that is read.
       if (count > (std::size_t{1} << 31U)) throw std::runtime_error("the data ends too early");
       const std::size_t size = count * size_of(array.type);
       if (encoding.front() == 'G') bytes = unpacked(bytes, size);

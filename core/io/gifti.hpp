@@ -14,7 +14,7 @@
 
 namespace talweg::formats {
 
-/// An array's description; its numbers are read when they are asked for.
+/// An array's description; the numbers are read on request.
 struct GiftiArray {
   std::string_view intent;  ///< such as NIFTI_INTENT_POINTSET
   std::string_view name;    ///< its metadata Name; may be empty
@@ -37,7 +37,7 @@ class Gifti {
   /// The array's numbers, row after row. O(its bytes).
   [[nodiscard]] std::vector<double> numbers(const GiftiArray& array) const;
   [[nodiscard]] pugi::xml_node label_table() const;
-  /// The intents of its arrays, for a message; "nothing" without any.
+  /// The intents of the arrays, for a message; "nothing" for a file without arrays.
   [[nodiscard]] std::string held() const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
 

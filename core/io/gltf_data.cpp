@@ -34,7 +34,7 @@ std::size_t components_of(std::string_view type) {
   return type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 0;
 }
 
-/// Whether an extension, which the file says is needed, says nothing about where surfaces are.
+/// Whether a required extension concerns only the appearance of surfaces, not their geometry.
 bool is_appearance(std::string_view name) {
   for (const std::string_view start :
        {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_xmp",
@@ -45,7 +45,7 @@ bool is_appearance(std::string_view name) {
   return false;
 }
 
-/// Whether a name is that of a file in the folder or in one below it.
+/// Whether a relative name stays inside the folder of the file.
 bool stays_beside(const std::string& name) {
   if (name.empty() || name.find_first_of(std::string(":\\\0", 3)) != name.npos) return false;
   const std::filesystem::path path(name);
@@ -245,7 +245,7 @@ GltfNumbers GltfData::numbers(std::uint32_t accessor, std::string_view type) {
     std::size_t stride = 0;
     const std::string_view bytes = view(place.member("bufferView").index(), stride);
     load_all(place, bytes, offset_of(place), stride, count, numbers);
-  } else {  // zeros
+  } else {  // an accessor without data stands for zeros
     if (count > bytes_) place.fail(fmt::format("its {} elements have no data", count));
     numbers.values.resize(count * numbers.components, 0);
   }

@@ -1,4 +1,4 @@
-// A glTF file has numbers in buffers: in the file, in texts of its JSON, or in files beside it.
+// glTF data are numbers in buffers: in the file, as text in its JSON, or in files beside the file.
 #pragma once
 
 #include <cstddef>
@@ -19,24 +19,24 @@ namespace talweg::formats {
 struct GltfNumbers {
   std::size_t components = 1;
   NumberType type = NumberType::kFloat32;
-  bool normalized = false;     ///< whole numbers that stand for 0 to 1, or -1 to 1
+  bool normalized = false;     ///< whole numbers that stand for reals in [0, 1] or [-1, 1]
   std::vector<double> values;  ///< as they are stored
   [[nodiscard]] std::size_t count() const { return values.size() / components; }
-  /// Value k as the number that it stands for.
+  /// Value k; a normalized value as a number in [0, 1] or [-1, 1].
   [[nodiscard]] double real(std::size_t k) const;
 };
 
 /// All errors are Error(kBadFile) with the place in the JSON.
 class GltfData {
  public:
-  /// Parses the JSON, of a GLB file or by itself. Throws Error(kBadFile) for other versions than 2
-  /// and for extensions that the geometry needs and nobody knows here.
+  /// Parses the JSON of a .gltf or .glb file. Throws Error(kBadFile) for versions other than 2 and
+  /// for required extensions that change the geometry and are not known.
   explicit GltfData(const MeshFile& file);
 
   [[nodiscard]] JsonPlace root() const { return {file_.path, json_, ""}; }
-  /// The numbers of an accessor, whose type must be `type` ("VEC3"; two types as "VEC3 VEC4").
+  /// The numbers of an accessor. Its type must be one of `type` ("VEC3", or "VEC3 VEC4").
   [[nodiscard]] GltfNumbers numbers(std::uint32_t accessor, std::string_view type);
-  /// Bytes of the file and its buffers so far.
+  /// Bytes of the file and of the buffers loaded so far.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
  private:
@@ -50,7 +50,7 @@ class GltfData {
   const MeshFile& file_;
   nlohmann::json json_;
   std::string_view chunk_;           // the buffer of a GLB file
-  std::vector<std::string> loaded_;  // buffers from elsewhere
+  std::vector<std::string> loaded_;  // buffers outside the GLB file
   std::vector<bool> is_loaded_;
   std::size_t bytes_ = 0;
 };

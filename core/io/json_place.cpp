@@ -11,7 +11,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Not by the parser's callback, with which it looks at all elements of an array after each.
+/// Throws if the text nests too deep. The parser's callback is no alternative: with a callback the
+/// parser looks at all elements of an array after each element.
 void check_depth(const Source& source) {
   constexpr int kDeepest = 64;
   int depth = 0;

@@ -1,4 +1,4 @@
-// A JSON place is a value in a file together with where it stands, for errors to say.
+// A JSON place is a value of a JSON file and its path in the file, for error messages.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace talweg::formats {
 
-/// Throws Error(kBadFile) naming line and column where the file is not JSON or nests deeper than
-/// 64. O(bytes) for flat lists. Worse: at the end of each object or list in a list the parser looks
-/// at all that the list has so far, the square of the points of a curve.
+/// Parses JSON. Throws Error(kBadFile) naming line and column if the text is not JSON or nests
+/// deeper than 64 levels. O(bytes) for flat lists. At the end of each object or list in a list the
+/// parser looks at all previous elements of the list, which is quadratic in the points of a curve.
 nlohmann::json parsed_json(const Source& source);
 
 /// All accessors throw Error(kBadFile) naming the file and a place such as curves[2].points[0].
@@ -54,7 +54,7 @@ class JsonPlace {
 
 /// The curves of a 3D Slicer markups file, given its root.
 std::vector<CurveInput> read_slicer(const JsonPlace& root, const Source& source);
-/// The points of its only markup, see read_clicks().
+/// The points of the only markup of a 3D Slicer file, see read_clicks().
 CurveInput read_slicer_clicks(const JsonPlace& root, const Source& source);
 
 }  // namespace talweg::formats

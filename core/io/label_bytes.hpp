@@ -1,4 +1,4 @@
-// Each label format has its own function behind label_writer.hpp: labels to the bytes of a file.
+// Each label format has its own writer behind label_writer.hpp: labels to the bytes of a file.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,8 @@ struct NamedLabel {
   std::string name;
   LabelColor color{};
 };
-/// All labels that are there or have a name, each with a name and a color. Labels without a name
-/// are called "label_7", -1 is "???" without color.
+/// All labels that occur or have a name, each with a name and a color. A label without a name is
+/// called "label_7"; -1 is "???" without color.
 std::map<std::int64_t, NamedLabel> table_of(const LabelFile& labels);
 
 }  // namespace talweg::formats

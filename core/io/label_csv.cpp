@@ -1,4 +1,4 @@
-// Labels as a column of a table, as spreadsheets and data frames write it.
+// Labels as a column of a table, from spreadsheets and data frames.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -108,7 +108,8 @@ class TableReader {
     if (label_ == number_) number_ = kNone;
   }
 
-  /// The labels in the order of the vertices' or faces' numbers, if there are any.
+  /// The labels in the order of the column of vertex or face numbers; in the order of the rows if
+  /// there is no such column.
   LabelFile ordered() {
     LabelFile file;
     file.labels = labels_;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kUsual = {"label",  "labels", "segment",
                                                     "region", "class",  "scalar_label"};
 
-/// Whole numbers of at most this size are told apart by doubles.
+/// Doubles represent every whole number below this one.
 constexpr double kMost = 9007199254740992;  // 2^53
 
 bool is_whole(double x) { return std::abs(x) < kMost && x == std::floor(x); }

@@ -23,9 +23,9 @@ struct LabelFile {
 };
 
 struct LabelFileOptions {
-  /// The property of a PLY file or the array of a VTK file. If empty, it is the first of label,
-  /// labels, segment, region, class, scalar_label that exists, for faces before vertices. Also the
-  /// column of a CSV file, and the map of a GIFTI file (default: the first).
+  /// The property of a PLY file, the array of a VTK file, the column of a CSV file, or the map of a
+  /// GIFTI file. If empty, the first map of a GIFTI file; otherwise the first of label, labels,
+  /// segment, region, class, scalar_label that exists, for faces before vertices.
   std::string property;
   std::size_t vertex_count = 0;  ///< of the mesh; FreeSurfer's .label lists vertices only
 };
@@ -43,9 +43,9 @@ struct LabelFileOptions {
 /// - `.gii` (`.label.gii`): an array of the intent NIFTI_INTENT_LABEL, with names and colors of the
 ///   label table; see gifti.hpp.
 /// - `.dpv` of FreeSurfer, text: lines `number x y z label`, the numbers counted from 0.
-/// - `.csv`: one column, or several with a header: the label's as for `property`, or the only one
-///   beside the column of the vertices' or faces' numbers (vertex, face, index, id or no name),
-///   each of which must then come once. Separated by commas, semicolons or tabs.
+/// - `.csv`, separated by commas, semicolons or tabs: one column, or several with a header. The
+///   labels are the column chosen by `property`, or the only column beside the numbers of the
+///   vertices or faces (vertex, face, index, id or no name). Each number must come once.
 /// - `.npy` of NumPy: see numpy_array.hpp.
 /// - Others: whole numbers separated by blanks or ends of lines, also as `1.000e+00`; `#` starts a
 ///   comment.

@@ -1,4 +1,4 @@
-// Each label format has its own function behind label_file.hpp: bytes to labels.
+// Each label format has its own reader behind label_file.hpp: bytes to labels.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +18,15 @@ struct NamedNumbers {
   std::vector<double> numbers;
 };
 
-/// Picks the property or array to read; those of faces come first. Throws Error(kBadFile) with a
-/// list of those in the file if none fits.
+/// Picks the property or array to read; properties of faces come first. Throws Error(kBadFile) with
+/// a list of the properties in the file if none fits.
 const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>& all,
                            const std::string& property);
-/// The first of the usual names of labels (label, labels, ...) that is among these; empty if none
+/// The first of the usual names of labels (label, labels, ...) that is among `names`; empty if none
 /// is.
 std::string usual_name_among(const std::vector<std::string>& names);
-/// Throws Error(kBadFile) naming the first number that is not whole, by its face or vertex or what
-/// `element` calls it.
+/// Converts to whole numbers. Throws Error(kBadFile) naming the first number that is not whole and
+/// its face or vertex; `element` is the word for the face or vertex.
 std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers,
                                         const char* element = nullptr);
 

@@ -77,7 +77,7 @@ class AnnotReader {
     entry_of_.emplace(color, index);  // the first of equal colors wins
   }
 
-  /// Replaces colors by the numbers of their entries.
+  /// Replaces colors by the numbers of their entries in the color table.
   void name_colors() {
     for (std::size_t v = 0; v < file_.labels.size(); ++v) {
       std::int64_t& label = file_.labels[v];

@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t kNone = -1;  // .annot: a vertex without color
 constexpr std::int64_t kMostColors = 0xFFFFFF;
 
-/// A color that differs from those of labels near it: hues by the golden ratio.
+/// A color unlike the colors of labels with near numbers: hues by the golden ratio.
 LabelColor own_color(std::int64_t label) {
   constexpr double kGolden = 0.6180339887498949;
   const double turns = kGolden * static_cast<double>(label);

@@ -35,7 +35,7 @@ std::string csv_labels(const LabelContent& content) {
 }
 
 std::string npy_labels(const LabelContent& content) {
-  constexpr std::size_t kBefore = 10, kAlignment = 64;  // of version 1
+  constexpr std::size_t kBefore = 10, kAlignment = 64;  // bytes before the header in version 1
   std::string header = fmt::format("{{'descr': '<i8', 'fortran_order': False, 'shape': ({},), }}",
                                    content.labels.labels.size());
   while ((kBefore + header.size() + 1) % kAlignment != 0) header.push_back(' ');
@@ -102,7 +102,7 @@ constexpr LabelFormat kLabelFormats[] = {{"", formats::text_labels, false, true}
                                          {".vtk", formats::vtk_labels, false, false},
                                          {".vtp", formats::vtp_labels, false, false}};
 
-/// Null if no format has the extension. "-.csv" has the extension .csv.
+/// The format with the extension of a name; null if there is none. "-.csv" has the extension .csv.
 const LabelFormat* format_of(const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   for (const LabelFormat& format : kLabelFormats) {

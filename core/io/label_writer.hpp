@@ -23,21 +23,21 @@ struct LabelOutput : LabelFile {
 /// - `.ply`, `.vtk`, `.vtp`: the mesh with the labels as `label` of its faces or vertices; PLY also
 ///   has the mesh's attributes, where `label` is replaced.
 /// - `.annot` of FreeSurfer (version 2), vertices only: the number in the color table is the label,
-///   from 0 to 16,777,215; -1 has no color. Labels without a color, or with that of another one,
-///   get one of their own.
+///   from 0 to 16,777,215; -1 has no color. Labels without a color, or with the color of another
+///   label, get a new color.
 /// - `.gii` (`.label.gii`), vertices only: ASCII, with a label table; labels have 32 bits.
-/// - `.label` of FreeSurfer, vertices only: those of the one label that is not 0 or -1.
+/// - `.label` of FreeSurfer, vertices only: the vertices of the only label that is not 0 or -1.
 /// - `.dpv` of FreeSurfer, vertices only.
 ///
-/// Names and colors are in `.annot` and `.gii`, also those of labels that no vertex has. Throws
+/// `.annot` and `.gii` hold names and colors, also of labels that no vertex has. Throws
 /// Error(kBadFile) as check_label_name() and check_label_kind() do, and for labels that the format
-/// cannot hold. O(bytes), log for names.
+/// cannot hold. O(bytes), times a logarithm for names.
 std::string label_bytes(const std::filesystem::path& name, const LabelOutput& output,
                         const MeshLists& mesh, const MeshAttributes& attributes = {});
 
 /// Throws Error(kBadFile) that lists the formats if none has the name's extension.
 void check_label_name(const std::filesystem::path& name);
-/// Throws Error(kBadFile) if the format holds labels of vertices only, and these are of faces.
+/// Throws Error(kBadFile) for labels of faces if the format holds only labels of vertices.
 void check_label_kind(const std::filesystem::path& name, bool of_faces);
 /// Whether the format is a list without a mesh: `.txt`, `.labels`, `.csv`, `.npy`.
 bool is_label_list(const std::filesystem::path& name);

@@ -1,5 +1,5 @@
-// A line scanner walks over the lines of a mesh file, word by word; it is made for millions of
-// them.
+// A line scanner reads a mesh file word by word and line by line, fast enough for millions of
+// lines.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// Walks over the lines of a file that are not blank. Independent of the locale.
+/// Reads the lines of a file that are not blank. Independent of the locale.
 class LineScanner {
  public:
   /// The text after `comment` on a line is skipped; '\0' for none. Line 1 starts at byte `from`; a

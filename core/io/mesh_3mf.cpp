@@ -1,6 +1,6 @@
 // 3MF (3MF Consortium, "3D Manufacturing Format Core Specification"): a zip archive with XML. The
-// objects of the build are read in their places; components, transforms, and models in other parts
-// of the archive (the Production Extension) are followed.
+// objects of the build are placed by their transforms; components and models in other parts of the
+// archive (the Production Extension) are followed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,9 +24,9 @@ namespace {
 
 using Place = Eigen::Affine3d;
 
-constexpr std::size_t kMostElements = std::size_t{1} << 25U;  // where objects are repeated
-constexpr std::size_t kMostPlaced = std::size_t{1} << 16U;    // objects
-constexpr std::size_t kDeepest = 64;                          // components in components
+constexpr std::size_t kMostElements = std::size_t{1} << 25U;  // if objects are repeated
+constexpr std::size_t kMostPlaced = std::size_t{1} << 16U;    // placed objects
+constexpr std::size_t kDeepest = 64;                          // levels of components in components
 
 /// One model part of the archive.
 struct Model {
@@ -61,7 +61,7 @@ class ThreeMfReader {
   }
 
  private:
-  /// The part that the archive's relationships call the model.
+  /// The part that the relationships of the archive name as the model.
   std::string first_part() const {
     if (archive_.has("_rels/.rels")) {
       pugi::xml_document rels;
@@ -135,7 +135,8 @@ class ThreeMfReader {
     return value;
   }
 
-  /// Twelve numbers: the rows of a matrix that stands to the right of points.
+  /// The transform of a node: twelve numbers, the rows of a 4 × 3 matrix that multiplies row
+  /// vectors from the right.
   Place place_of(const Model& model, const pugi::xml_node& node) const {
     Place place = Place::Identity();
     const pugi::xml_attribute given = node.attribute("transform");
@@ -153,7 +154,7 @@ class ThreeMfReader {
     return place;
   }
 
-  /// The object that an item of the build or a component names.
+  /// Adds the object that an item of the build or a component names.
   void add_object(const Model& from, const pugi::xml_node& item, const Place& outer,
                   std::size_t depth) {
     if (depth > kDeepest) fail(from, item, "components nest deeper than 64 levels");

@@ -1,4 +1,4 @@
-// Each mesh format has its own function behind mesh_writer.hpp: a mesh to the bytes of a file.
+// Each mesh format has its own writer behind mesh_writer.hpp: a mesh to the bytes of a file.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace talweg::formats {
 
-/// The input of a writer, and its descriptions of what its format cannot hold. Readers and writers
-/// of meshes and labels take one pass, O(bytes).
+/// The input of a writer, and descriptions of the parts that the format cannot hold. Readers and
+/// writers of meshes and labels take one pass, O(bytes).
 struct MeshContent {
   const MeshLists& lists;
   const MeshAttributes& attributes;
@@ -25,7 +25,7 @@ struct MeshContent {
   [[nodiscard]] std::size_t face_count() const {
     return outlines == nullptr ? lists.triangles.size() : outlines->size();
   }
-  /// The corners of a face that is written; `own` is where those of a triangle are put.
+  /// The corners of a face to write; `own` is the storage for the corners of a triangle.
   std::span<const PolygonCorner> face(std::size_t f, std::array<PolygonCorner, 3>& own) const {
     if (outlines != nullptr) return outlines->face(f);
     for (std::uint32_t k = 0; k < 3; ++k) own[k] = {static_cast<std::uint32_t>(f), k};

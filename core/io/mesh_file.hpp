@@ -1,4 +1,5 @@
-// The readers of mesh formats share a file's bytes, its errors and its polygons.
+// The readers of mesh formats share a type for the file in memory, error messages, and fans of
+// polygons.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +29,15 @@ struct MeshFile {
 /// The extension in lower case: ".ply" for "A.PLY".
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Vertices of a text whose coordinates are not finite numbers, and the lines where they stand.
-/// They are refused where a face uses them; others stay as they are.
+/// The vertices of a text file with a coordinate that is not finite, and their lines. A stray
+/// vertex is an error only if a face uses it.
 class StrayVertices {
  public:
-  /// Only the last coordinate that is not finite is quoted.
+  /// Adds a stray vertex. Of several such coordinates of one vertex only the last is kept for the
+  /// message.
   void add(std::size_t vertex, std::size_t line, std::string_view word);
-  /// Throws Error(kBadFile) naming the first that a face uses. O(faces) if there are any.
+  /// Throws Error(kBadFile) naming the first stray vertex that a face uses. O(faces) if there are
+  /// stray vertices.
   void check(const MeshFile& file, const MeshLists& lists) const;
 
  private:
@@ -46,13 +49,13 @@ class StrayVertices {
 };
 
 /// Appends the fan of triangles of a polygon with at least three corners. read_mesh() triangulates
-/// concave ones inside themselves when all points are known.
+/// concave polygons again when all points are known.
 void add_polygon(MeshLists& lists, std::span<const std::uint32_t> corners);
 
 /// Each reader also reads the file's attributes if `attributes` is not null.
 MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes = nullptr);
 MeshLists read_off(const MeshFile& file, MeshAttributes* attributes = nullptr);
-/// Whether the first line of an OFF file says BINARY; then it is no text.
+/// Whether the first line of an OFF file says BINARY.
 bool is_binary_off(std::string_view bytes);
 MeshLists read_binary_off(const MeshFile& file, MeshAttributes* attributes);
 MeshLists read_ply(const MeshFile& file, MeshAttributes* attributes = nullptr);

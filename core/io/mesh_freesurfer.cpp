@@ -20,7 +20,7 @@ constexpr std::uint32_t kTriangles = 0xFFFFFE;  // magic numbers, three bytes
 constexpr std::uint32_t kQuads = 0xFFFFFF;
 constexpr std::uint32_t kFloatQuads = 0xFFFFFD;
 
-/// Numbers of a file of which none may be missing.
+/// Reads big-endian numbers. A missing number is an error.
 class BigEndianBytes {
  public:
   BigEndianBytes(const std::filesystem::path& path, std::string_view bytes)
@@ -42,7 +42,7 @@ class BigEndianBytes {
     if (end == std::string_view::npos) fail(fmt::format("it ends in {}", what));
     cursor_.take(end + 1);
   }
-  /// Throws unless so many elements of this size follow.
+  /// Throws unless `count` elements of `size` bytes follow.
   void need(std::int64_t count, std::size_t size, const char* what) const {
     if (count >= 0 && static_cast<std::uint64_t>(count) <= cursor_.left() / size) return;
     fail(fmt::format("it announces {} {}, but has bytes for {} at most", count, what,
@@ -90,7 +90,8 @@ void read_triangles(BigEndianBytes& bytes, MeshLists& lists) {
   }
 }
 
-/// Quads are divided as FreeSurfer does it: whether the first corner's number is even decides.
+/// Reads quads and divides them as in FreeSurfer, by the parity of the first corner's
+/// number.
 void read_quads(BigEndianBytes& bytes, bool floats, MeshLists& lists) {
   const std::int64_t vertices = bytes.three_bytes("the number of vertices");
   const std::int64_t quads = bytes.three_bytes("the number of faces");
@@ -104,7 +105,7 @@ void read_quads(BigEndianBytes& bytes, bool floats, MeshLists& lists) {
   }
   bytes.need(quads, 12, "faces");
   const auto count = static_cast<std::size_t>(quads);
-  lists.triangles.reserve(2 * count);  // no polygons of the lists, which begin as fans
+  lists.triangles.reserve(2 * count);  // not added as polygons, since these are fans
   for (std::size_t f = 0; f < count; ++f) {
     std::array<std::uint32_t, 4> q{};
     for (std::uint32_t& corner : q)
@@ -149,13 +150,13 @@ std::vector<double> read_curv(const Source& source) {
   BigEndianBytes bytes(source.path, source.bytes);
   const std::uint32_t magic = bytes.three_bytes("the magic number");
   std::vector<double> values;
-  if (magic != kQuads) {  // the old format has the number of values there
+  if (magic != kQuads) {  // the first number of the old format is the number of values
     bytes.three_bytes("the number of faces");
     bytes.need(magic, 2, "values");
     for (std::uint32_t k = 0; k < magic; ++k) {
       values.push_back(bytes.number<std::int16_t>("a value") / 100.0);
     }
-    // The magic number is weak, so the size has to fit.
+    // The old format has no magic number, so the size must fit.
     if (bytes.left() > 0) {
       bytes.fail(
           fmt::format("{} bytes follow the {} values that it announces", bytes.left(), magic));

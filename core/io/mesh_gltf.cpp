@@ -1,5 +1,5 @@
 // glTF 2.0 (Khronos, "glTF 2.0 Specification"), .gltf and .glb: the triangles of the default scene,
-// in its place. Coordinates are metres with y up, and stay so.
+// placed by the transforms of the nodes. Coordinates are metres with y up, and stay so.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,7 +29,7 @@ struct VertexNumbers {
   const char* name;
   std::string_view type;
   std::vector<const char*> columns;
-  double missing;  ///< where a primitive has none
+  double missing;  ///< for primitives without the attribute
 };
 
 const std::vector<VertexNumbers>& vertex_numbers() {
@@ -40,7 +40,7 @@ const std::vector<VertexNumbers>& vertex_numbers() {
   return kAll;
 }
 
-/// A node that is still to be read, and where it stands.
+/// A node to be read, and the transform of its parent.
 struct Waiting {
   std::uint32_t node;
   Place place;
@@ -53,7 +53,7 @@ std::vector<double> number_list(const JsonPlace& place, std::size_t count) {
   return all;
 }
 
-/// A node's own place in its parent: a matrix, or translation, rotation and scale.
+/// The transform of a node relative to its parent: a matrix, or translation, rotation and scale.
 Place place_of(const JsonPlace& node) {
   Place place = Place::Identity();
   if (node.has("matrix")) {
@@ -102,7 +102,8 @@ class GltfReader {
     return all;
   }
 
-  /// Of the scene that the file names, or its first; without scenes all nodes without a parent.
+  /// The root nodes of the scene that the file names, or of its first scene. Without scenes, all
+  /// nodes without a parent.
   std::vector<std::uint32_t> root_nodes() {
     const JsonPlace root = data_.root();
     if (!root.has("nodes")) bad_file(file_.path, "it has no nodes, so it holds no surface.");
@@ -133,7 +134,8 @@ class GltfReader {
     return roots;
   }
 
-  /// A node and all below it, children in their order. No node has two parents.
+  /// Reads a node and its descendants, children in their order. A node with two parents is an
+  /// error.
   void walk(std::uint32_t first) {
     std::vector<Waiting> waiting{{first, Place::Identity()}};
     const JsonPlace nodes = data_.root().member("nodes");
@@ -145,7 +147,7 @@ class GltfReader {
       if (!visited_.insert(now.node).second) node.fail("it comes twice in the scene");
       const Place place = now.place * place_of(node);
       if (node.has("mesh")) {
-        const bool posed = node.has("skin");  // its joints say where it is
+        const bool posed = node.has("skin");  // the transform of a skinned node does not apply
         skins_ = skins_ || posed;
         read_mesh_at(node.member("mesh").index(), posed ? Place::Identity() : place, node);
       }
@@ -198,7 +200,8 @@ class GltfReader {
     add_names(primitive);
   }
 
-  /// Vertices that primitives of a mesh share are added once. Returns their number.
+  /// Adds the vertices of a primitive, unless another primitive of the mesh has added them. Sets
+  /// `offset_` to the first vertex. Returns the number of vertices.
   std::size_t add_vertices(const JsonPlace& primitive, const JsonPlace& attributes,
                            const Place& place) {
     const std::uint32_t accessor = attributes.member("POSITION").index();
@@ -221,7 +224,7 @@ class GltfReader {
     return own;
   }
 
-  /// Nodes may repeat a mesh any number of times.
+  /// Throws if the mesh is too large. A short file can repeat a mesh any number of times.
   void check_size(const JsonPlace& primitive, std::size_t count) {
     constexpr std::size_t kMost = std::size_t{1} << 25U;
     if (count > std::max(kMost, data_.bytes())) {
@@ -263,7 +266,7 @@ class GltfReader {
     return attributes_->vertices.back();
   }
 
-  /// Normals of a node in its place.
+  /// Transforms the normals of a node.
   static void turn(GltfNumbers& numbers, const Place& place) {
     const Eigen::Matrix3d linear = place.linear();
     const double determinant = linear.determinant();
@@ -278,7 +281,7 @@ class GltfReader {
     numbers.normalized = false;
   }
 
-  /// A mirrored node turns its triangles around, as the specification says.
+  /// Adds triangles. A mirrored node reverses their orientation, as the specification says.
   void add_triangles(const JsonPlace& primitive, const std::vector<double>& corners,
                      std::uint32_t mode, std::size_t own, bool mirrored) {
     const auto vertex = [&](std::size_t k) {

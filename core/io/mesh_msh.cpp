@@ -17,8 +17,8 @@
 namespace talweg {
 namespace {
 
-/// A type of elements by its number: how many nodes it has, and its dimension. Of the nodes of a
-/// face the corners come first.
+/// An element type: its number in the format, the number of its nodes, its dimension, and the
+/// number of corners of a face. The corners come first among the nodes of a face.
 struct ElementType {
   std::size_t number, nodes, dimension, corners;
 };
@@ -33,14 +33,14 @@ constexpr std::array<ElementType, 45> kTypes{
      {41, 20, 2, 4}, {42, 28, 2, 3}, {43, 36, 2, 3}, {44, 45, 2, 3}, {45, 55, 2, 3}, {46, 66, 2, 3},
      {47, 49, 2, 4}, {92, 64, 3, 0}, {93, 125, 3, 0}}};
 
-/// The vertices of nodes, whose numbers may be any.
+/// Maps the numbers of nodes, which are arbitrary, to vertices.
 class NodeNumbers {
  public:
   void add(std::int64_t tag) {
     consecutive_ = consecutive_ && (all_.empty() || tag == all_.back().first + 1);
     all_.emplace_back(tag, static_cast<std::uint32_t>(all_.size()));
   }
-  /// Must come before vertex(); a number that comes twice.
+  /// Must be called before vertex(). Returns a number that two nodes have, if any.
   std::optional<std::int64_t> finish() {
     if (consecutive_) return std::nullopt;
     std::sort(all_.begin(), all_.end());
@@ -142,7 +142,7 @@ class MshReader {
     numbers_.set_swap(true);
   }
 
-  /// Always text.
+  /// Reads the names of physical groups, which are text in binary files, too.
   void read_names() {
     const std::int64_t n = scanner().integer(scanner().word(), "the number of names");
     for (std::int64_t k = 0; k < n; ++k) {
@@ -157,7 +157,7 @@ class MshReader {
     }
   }
 
-  /// The physical groups of surfaces; the first of each, where it has several.
+  /// Reads the physical group of each surface; the first group if a surface has several.
   void read_entities() {
     std::array<std::size_t, 4> counts{};
     for (std::size_t& n : counts) n = numbers_.count(numbers_.large("a count"), "entities", 20);
@@ -271,7 +271,7 @@ class MshReader {
     }
   }
 
-  /// The tags of version 2 begin with the physical and the elementary group.
+  /// Reads an element of version 2, whose tags begin with the physical and the elementary group.
   void read_element2(std::int64_t number, const ElementType& type, std::int64_t tags) {
     const std::size_t n = numbers_.count(tags, "tags", 4);
     std::int64_t group = 0;
@@ -337,7 +337,7 @@ class MshReader {
     }
   }
 
-  /// The column physical, and the names of the groups as those of OBJ.
+  /// Adds the face column `physical`, and the names of the groups as names of OBJ groups.
   void add_attributes() {
     if (std::all_of(groups_.begin(), groups_.end(), [](std::int64_t g) { return g == 0; })) return;
     AttributeColumn column{"physical", NumberType::kInt32, {groups_.begin(), groups_.end()}};

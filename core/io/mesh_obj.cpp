@@ -1,5 +1,5 @@
-// Wavefront OBJ: the polygons of `v` and `f` statements; texture coordinates, normals, colours and
-// names of faces where they are asked for.
+// Wavefront OBJ: the polygons of `v` and `f` statements; on request texture coordinates, normals,
+// colours and names of faces.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -15,8 +15,8 @@
 namespace talweg {
 namespace {
 
-/// Parses "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the newest vertex.
-/// Vertices may follow the faces that use them, so the upper bound is checked at the end.
+/// Parses a corner: "7", "7/1", "7//3", "7/1/3"; negative numbers count back from the newest
+/// vertex. Vertices may follow the faces that use them, so the upper bound is checked at the end.
 std::uint32_t corner_of(const LineScanner& lines, std::string_view word, std::size_t vertices) {
   std::int64_t index = 0;
   const std::string_view number = word.substr(0, word.find('/'));
@@ -46,7 +46,7 @@ class ObjAttributes {
  public:
   ObjAttributes(const MeshFile& file, MeshAttributes& into) : file_(file), into_(into) {}
 
-  /// Reads what follows a vertex's three coordinates: nothing, a weight, or a colour.
+  /// Reads the rest of a vertex after its three coordinates: nothing, a weight, or a colour.
   void vertex(LineScanner& lines, std::size_t vertices);
   /// Reads one number of a texture coordinate or normal.
   void corner(const LineScanner& lines, std::string_view word);
@@ -237,7 +237,7 @@ MeshLists read_obj(const MeshFile& file, MeshAttributes* attributes) {
   if (attributes != nullptr) more.emplace(file, *attributes);
   ObjAttributes* const beside = more ? &*more : nullptr;
   std::vector<std::uint32_t> corners;
-  // The largest vertex that any face names, and its line.
+  // The largest vertex index of any face, and its line.
   std::uint32_t largest = 0;
   std::size_t largest_line = 0;
   StrayVertices strays;

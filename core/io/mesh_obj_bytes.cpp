@@ -15,7 +15,7 @@ namespace {
 
 using Columns = std::vector<const AttributeColumn*>;
 
-/// The full value of a colour's component.
+/// The value of a colour component at full intensity.
 double full(NumberType type) {
   if (type == NumberType::kUint8) return 255;
   return type == NumberType::kUint16 ? 65535 : 1;
@@ -59,7 +59,7 @@ class ObjWriter {
   }
 
  private:
-  /// The columns with these names; none if one is missing.
+  /// The columns with these names; empty if a column is missing.
   [[nodiscard]] Columns columns(std::initializer_list<std::string_view> names) const {
     Columns found;
     for (const std::string_view name : names) {
@@ -127,7 +127,7 @@ class ObjWriter {
     last_ = triangle;
   }
 
-  /// The entry of a corner; kNone without one.
+  /// The index of the entry of a corner; kNone if the corner has no entry.
   [[nodiscard]] std::uint32_t entry(const PolygonCorner& at, const CornerAttribute& of_corners,
                                     const Columns& of) const {
     if (!of.empty()) return content_.vertex(at);
@@ -167,7 +167,7 @@ class ObjWriter {
   const MeshLists& lists_;
   const MeshAttributes& attributes_;
   Columns colours_, normals_, texture_;
-  std::uint32_t last_ = kNoTriangle;  // that was written before
+  std::uint32_t last_ = kNoTriangle;  // last triangle whose names were written
   std::array<PolygonCorner, 3> own_;
   std::string text_;
 };

@@ -1,5 +1,5 @@
-// Object File Format, text (binary: mesh_off_binary.cpp): vertices and polygons; normals and
-// colours are passed over.
+// Object File Format, text (binary: mesh_off_binary.cpp): vertices and polygons. Normals and
+// colours are skipped.
 #include <algorithm>
 #include <vector>
 

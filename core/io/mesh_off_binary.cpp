@@ -1,6 +1,6 @@
-// Object File Format, binary, as Geomview's manual has it: after the line OFF BINARY come numbers
-// of four bytes, whole or real; colours and normals are passed over. OpenMesh writes such files in
-// the order of bytes of its machine, and without the number of colour components after each face.
+// Object File Format, binary, as specified in Geomview's manual: the line OFF BINARY, then numbers
+// of four bytes, whole or real. Colours and normals are skipped. OpenMesh writes such files in the
+// byte order of its machine, and without the number of colour components after each face.
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kWord = 4;  // bytes of a number
 
-/// How the words of a file are to be taken.
+/// The layout of the words of a file.
 struct OffLayout {
   bool swap = false;
   bool has_colour_counts = true;  ///< after the corners of each face
@@ -26,7 +26,7 @@ struct OffLayout {
 
 struct OffHeader {
   std::size_t body = 0;         ///< first byte after the header's line
-  std::size_t more_floats = 0;  ///< of a vertex besides its coordinates
+  std::size_t more_floats = 0;  ///< numbers per vertex besides its coordinates
 };
 
 OffHeader read_binary_header(const MeshFile& file) {
@@ -52,10 +52,10 @@ class BinaryOffReader {
   BinaryOffReader(const MeshFile& file, const OffHeader& header, OffLayout layout)
       : file_(file), header_(header), layout_(layout), cursor_(file.bytes.substr(header.body)) {}
 
-  /// Throws Error(kBadFile) where the bytes do not fit the layout.
+  /// Throws Error(kBadFile) if the bytes do not fit the layout.
   MeshLists read() {
     const std::size_t vertices = count("vertices"), faces = count("faces");
-    whole("the header");  // the number of edges, which nobody checks
+    whole("the header");  // the number of edges is not checked
     read_vertices(vertices);
     lists_.triangles.reserve(std::min(faces, cursor_.left() / kWord));
     for (std::size_t f = 0; f < faces; ++f) read_face(f, faces);
@@ -167,7 +167,7 @@ bool is_binary_off(std::string_view bytes) {
 MeshLists read_binary_off(const MeshFile& file, MeshAttributes* attributes) {
   const OffHeader header = read_binary_header(file);
   const bool little = std::endian::native == std::endian::little;
-  // The specified layout comes first, and its error is the one that is told.
+  // The specified layout is tried first; its error is reported if no layout fits.
   try {
     return read_with(file, header, {little, true}, attributes);
   } catch (const Error& error) {

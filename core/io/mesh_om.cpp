@@ -1,5 +1,5 @@
 // OpenMesh's OM: positions and polygons. Versions before 2 list the corners of each face, later
-// ones the halfedges. Other chunks are passed over.
+// versions the halfedges. Other chunks are skipped.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -228,7 +228,7 @@ class OmReader {
   bool has_points_ = false;
   bool has_halfedges_ = false;
   bool has_first_ = false;
-  bool has_more_ = false;  // more than positions and faces
+  bool has_more_ = false;  // whether the file has more than positions and faces
   std::vector<Halfedge> halfedges_;
   std::vector<std::uint32_t> first_;
 };

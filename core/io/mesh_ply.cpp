@@ -1,5 +1,5 @@
-// PLY, text and binary: vertex positions and face corners; the other numbers of vertices and faces
-// where they are asked for.
+// PLY, text and binary: vertex positions and face corners; on request the other numbers of vertices
+// and faces.
 #include <algorithm>
 #include <optional>
 
@@ -26,7 +26,7 @@ std::string numbered(const PlyElement& element, std::size_t index) {
   return element.name + " " + std::to_string(index) + " of " + std::to_string(element.count);
 }
 
-/// Where to store an element's numbers that are neither coordinates nor corners.
+/// The columns for an element's numbers other than coordinates and corners.
 struct Columns {
   std::vector<std::size_t> of_property;  ///< per property its column; kAbsent: not stored
   std::vector<AttributeColumn>* into = nullptr;
@@ -35,7 +35,7 @@ struct Columns {
   }
 };
 
-/// How to read the elements that are needed.
+/// The elements and properties to read.
 struct Plan {
   PlyHeader header;
   std::size_t vertices = 0;
@@ -95,8 +95,8 @@ Plan make_plan(const MeshFile& file) {
   return plan;
 }
 
-/// Columns for the numbers of an element, at most 64. A face with many corners has its numbers once
-/// for each triangle of its fan, so without a limit a short file could fill the memory.
+/// Makes columns for the numbers of an element, at most 64. The numbers of a polygon are stored
+/// once per triangle of its fan, so without a limit a short file could fill the memory.
 Columns make_columns(const PlyElement& element, std::span<const std::size_t> taken,
                      std::vector<AttributeColumn>& into, std::vector<std::string>& left_out) {
   constexpr std::size_t kMost = 64;
@@ -451,7 +451,7 @@ class BinaryBody {
 };
 
 void set_aside(const MeshFile& file, const Plan& plan, MeshLists& lists) {
-  // Reserves no more than the file can fill, whatever the header promises.
+  // Memory is reserved only for elements that the file has bytes for.
   for (const PlyElement& element : plan.header.elements) {
     if (element.name == "vertex") {
       lists.points.reserve(std::min(element.count, file.bytes.size() / 3));

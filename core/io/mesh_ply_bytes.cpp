@@ -130,7 +130,7 @@ class PlyWriter {
         fmt::format("element vertex {}\nproperty double x\nproperty double y\nproperty double z\n",
                     lists_.points.size());
     for (const AttributeColumn* column : vertices_) property(*column);
-    // Some readers do not know uint, and only few expect lists of more than a byte can count.
+    // Some readers do not know uint, and few readers expect lists with more than 255 entries.
     const char* const length = long_lists_ ? "int" : "uchar";
     bytes_ += fmt::format("element face {}\nproperty list {} {} vertex_indices\n",
                           content_.face_count(), length, index);

@@ -24,14 +24,14 @@ struct Format {
   FormatReader read;
 };
 
-/// In the order in which refusals name them.
+/// The order is the order of the list in error messages.
 constexpr std::array kFormats{
     Format{".obj", &read_obj},      Format{".off", &read_off}, Format{".ply", &read_ply},
     Format{".stl", &read_stl},      Format{".om", &read_om},   Format{".vtk", &read_vtk_mesh},
     Format{".vtp", &read_vtp_mesh}, Format{".msh", &read_msh}, Format{".gltf", &read_gltf},
     Format{".glb", &read_gltf},     Format{".3mf", &read_3mf}, Format{".gii", &read_gifti_mesh}};
 
-/// FreeSurfer's endings say what a surface is, and not its format.
+/// FreeSurfer's extensions name the kind of a surface, not its format.
 constexpr std::array kFreeSurfer{".white",        ".pial",    ".inflated", ".sphere",
                                  ".smoothwm",     ".orig",    ".mid",      ".reg",
                                  ".midthickness", ".graymid", ".nofix"};

@@ -1,5 +1,5 @@
-// STL, text (keywords in either case) and binary. It stores triangles without vertex ids: corners
-// at equal positions are one vertex.
+// STL, text (keywords in either case) and binary. STL stores triangles without vertex ids: corners
+// at equal positions become one vertex.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -22,7 +22,8 @@ constexpr std::size_t kTriangle = 50;  // normal, three corners, two bytes of at
 /// Numbers positions by first appearance, in a hash table with open addressing on their bits.
 class CornerWelder {
  public:
-  /// A closed surface has half as many vertices as triangles; more are allowed.
+  /// The table grows if there are more vertices than half the triangles, the ratio of a closed
+  /// surface.
   CornerWelder(std::vector<Point>& points, std::size_t triangles)
       : points_(points), slots_(std::bit_ceil(triangles + 1024), kEmpty) {}
 
@@ -97,7 +98,7 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttribute
   return lists;
 }
 
-/// Compares without regard to case; `lower` has none.
+/// Compares without regard to case; `lower` must be in lower case.
 bool is_word(std::string_view word, std::string_view lower) {
   return std::equal(word.begin(), word.end(), lower.begin(), lower.end(), [](char a, char b) {
     return a == b || (a >= 'A' && a <= 'Z' && a - 'A' + 'a' == b);

@@ -102,7 +102,7 @@ class LegacyMesh {
     const std::uint64_t n = file_.read_count();
     const std::uint64_t size = file_.read_count();
     LegacyCells cells;
-    if (file_.splits_cells()) {  // n is one more than there are cells
+    if (file_.splits_cells()) {  // n is the number of cells plus one
       const std::vector<double> offsets = file_.read_part("OFFSETS", n);
       cells.points = file_.read_part("CONNECTIVITY", size);
       for (std::size_t k = 1; k < offsets.size(); ++k) add(cells, offsets[k - 1], offsets[k]);
@@ -129,7 +129,7 @@ class LegacyMesh {
     cells.ends.push_back(*last);
   }
 
-  /// In the order of VTK's numbers of cells.
+  /// Adds the cells in VTK's order.
   void add_cells() {
     const auto fail = [this](const std::string& what) { bad_file(mesh_file_.path, what + "."); };
     faces_.skip_cells(vertices_.size(), "vertex cells");

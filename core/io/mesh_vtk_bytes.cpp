@@ -17,14 +17,14 @@ namespace {
 
 using Columns = std::vector<const AttributeColumn*>;
 
-/// An array of a file: columns that belong together.
+/// An array of a file, from one or more columns.
 struct ArrayOf {
   std::string name;
   NumberType type = NumberType::kFloat64;
   Columns columns;
 };
 
-/// The array that begins with column c, as vtk_faces.cpp takes arrays apart.
+/// The array whose first column is c; the inverse of column_names() in vtk_faces.cpp.
 ArrayOf array_at(const std::vector<AttributeColumn>& columns, std::size_t c) {
   const AttributeColumn& first = columns[c];
   const auto follow = [&](std::span<const std::string_view> names) {
@@ -65,7 +65,7 @@ std::vector<ArrayOf> arrays_of(const std::vector<AttributeColumn>& columns) {
   return all;
 }
 
-/// Appends a number in the machine's order or turned around.
+/// Appends a number, big-endian if `big`, otherwise little-endian.
 template <class T>
 void put_as(std::string& bytes, double value, bool big) {
   put(bytes, static_cast<T>(value));
@@ -97,7 +97,7 @@ void put_number(std::string& bytes, NumberType type, double value, bool big) {
   }
 }
 
-/// What both kinds of files have: lists of bytes.
+/// The contents of both kinds of files, as bytes.
 class VtkContent {
  public:
   VtkContent(MeshContent& content, bool big)
@@ -131,7 +131,7 @@ class VtkContent {
     }
     return bytes;
   }
-  /// Of points or cells; edges have zeros.
+  /// The numbers of an array of points or cells; edges have zeros.
   [[nodiscard]] std::string numbers(const ArrayOf& array, bool of_cells) const {
     std::string bytes;
     const std::size_t before = of_cells ? edges_.size() : 0;

@@ -60,7 +60,7 @@ class VtpMesh {
     faces_.end_piece(std::move(of_points), arrays(piece.child("CellData")));
   }
 
-  /// The number of cells, by their offsets.
+  /// The number of cells of a kind: the number of their offsets.
   std::size_t count_of(const pugi::xml_node& piece, const char* kind) const {
     const pugi::xml_node cells = piece.child(kind);
     if (cells.empty() || !cells.child("DataArray")) return 0;
@@ -98,7 +98,7 @@ class VtpMesh {
       result.push_back(
           {name, *type, node.attribute("NumberOfComponents").as_uint(1), xml_.read_array(node)});
     }
-    for (const pugi::xml_node node : data.children("Array")) {  // of texts
+    for (const pugi::xml_node node : data.children("Array")) {  // arrays of texts
       if (attributes_->left_out.size() >= 64) break;
       attributes_->left_out.push_back(fmt::format("array '{}', which has no numbers",
                                                   printable(node.attribute("Name").value())));

@@ -108,7 +108,7 @@ void check_attributes(const MeshLists& lists, const MeshAttributes& attributes) 
   }
 }
 
-/// Descriptions of everything that a format without attributes does not hold.
+/// Descriptions of all attributes and edges, for a format that holds none.
 std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges) {
   std::vector<std::string> all;
   for (const AttributeColumn& c : attributes.vertices)
@@ -126,7 +126,7 @@ std::vector<std::string> all_of(const MeshAttributes& attributes, bool has_edges
 
 using Bytes = std::string (*)(formats::MeshContent&);
 
-/// Null if no format has the extension.
+/// The writer for the extension of a name; null if there is none.
 Bytes bytes_of(const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   if (extension == ".obj") return &formats::obj_bytes;

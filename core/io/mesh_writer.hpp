@@ -26,16 +26,17 @@ struct TaggedEdge {
 /// Error(kBadMesh) when a face refers to a vertex that does not exist.
 void write_mesh(const std::filesystem::path& path, const MeshLists& lists);
 
-/// Writes attributes and edges too. PLY holds all columns of vertices and faces in their types,
-/// texture coordinates of corners (list texcoord), normals of corners if each vertex has only one,
-/// and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and texture
-/// coordinates of vertices, all attributes of corners, names of faces, and edges (l). VTK and VTP
-/// hold all columns of vertices and faces (columns that belong together are one array) and edges
-/// (as lines before the faces, with their curve in the array curve). OFF and STL hold none of
-/// these. Returns descriptions of what the file does not hold. With `outlines` its faces are
-/// written instead of the triangles, each with the attributes of the triangle of its first corner.
-/// Throws Error(kBadUsage) where the number of attributes is not that of the elements, an outline
-/// has a corner that does not exist, and for outlines in STL, VTK and VTP.
+/// Writes attributes and edges, too. PLY holds all columns of vertices and faces in their types,
+/// texture coordinates of corners (list texcoord), normals of corners if each vertex has only one
+/// normal, and edges (element edge: vertex1, vertex2, curve). OBJ holds the colours, normals and
+/// texture coordinates of vertices, all attributes of corners, names of faces, and edges (l). VTK
+/// and VTP hold all columns of vertices and faces (columns that belong together form one array) and
+/// edges (as lines before the faces, with their curve in the array curve). OFF and STL hold neither
+/// attributes nor edges. Returns descriptions of the parts that the format does not hold. With
+/// `outlines` the faces of the outlines are written in place of the triangles, each with the
+/// attributes of the triangle of its first corner. Throws Error(kBadUsage) if the number of
+/// attributes is not the number of elements, an outline has a corner that does not exist, or
+/// outlines are given for STL, VTK or VTP.
 std::vector<std::string> write_mesh(const std::filesystem::path& path, const MeshLists& lists,
                                     const MeshAttributes& attributes,
                                     std::span<const TaggedEdge> edges = {},
@@ -44,13 +45,14 @@ std::vector<std::string> write_mesh(const std::filesystem::path& path, const Mes
 /// A file in memory.
 struct MeshBytes {
   std::string bytes;
-  std::vector<std::string> left_out;  ///< descriptions of what the format does not hold
+  std::vector<std::string> left_out;  ///< descriptions of the parts that the format does not hold
 };
 /// The bytes that write_mesh() would write to a file of this name. Throws as it does.
 MeshBytes mesh_bytes(const std::filesystem::path& name, const MeshLists& lists,
                      const MeshAttributes& attributes = {}, std::span<const TaggedEdge> edges = {},
                      const FaceOutlines* outlines = nullptr);
-/// Throws as write_mesh() does if the name's extension is not that of a mesh format it writes.
+/// Throws as write_mesh() does if the name's extension is not the extension of a mesh format that
+/// is written.
 void check_mesh_name(const std::filesystem::path& name);
 
 }  // namespace talweg

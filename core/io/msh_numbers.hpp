@@ -1,4 +1,4 @@
-// The sections of Gmsh's files hold numbers, as text or as bytes.
+// MSH numbers are the contents of the sections of Gmsh's files, as text or as bytes.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,8 @@ class MshNumbers {
     if (!parse_real(word, value)) scanner_.fail(what, word);
     return value;
   }
-  /// A number of things that have at least `size` bytes each; in text two for every number.
+  /// Checks a count against the rest of the file: an element has at least `size` bytes, in text
+  /// two.
   std::size_t count(std::int64_t value, const char* what, std::size_t size) const;
 
   void skip(std::size_t n, const char* what) { bytes(n, what); }

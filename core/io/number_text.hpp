@@ -1,4 +1,4 @@
-// Numbers in text are read the same way whatever the standard library has.
+// Numbers in text are read the same way with every standard library.
 #pragma once
 
 #include <charconv>
@@ -13,11 +13,12 @@
 
 namespace talweg {
 
-/// std::from_chars; of real numbers fast_float's where the standard library has none for them.
+/// std::from_chars; for real numbers fast_float's if the standard library has none.
 inline std::from_chars_result from_text(const char* first, const char* last, double& value) {
 #ifdef TALWEG_FAST_FLOAT
   const auto [end, error] = fast_float::from_chars(first, last, value);
-  // A number that is too large comes as an infinity, which nobody has written.
+  // fast_float returns an infinity for a number that is too large. A written infinity ends in a
+  // letter.
   const bool written = end != first && (end[-1] | 0x20) >= 'a';
   const bool too_large = error == std::errc{} && std::isinf(value) && !written;
   return {end, too_large ? std::errc::result_out_of_range : error};

@@ -86,7 +86,7 @@ class NumpyReader {
     return at;
   }
 
-  /// What follows a key of the header, without blanks.
+  /// The text after a key of the header, without blanks.
   [[nodiscard]] std::string_view after(std::string_view key) const {
     const std::size_t at = header_.find(key);
     if (at == header_.npos) fail(fmt::format("expected {} in the header", key));

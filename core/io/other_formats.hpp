@@ -1,4 +1,4 @@
-// Formats that are not read are near ones that are: what to do with their files.
+// Other formats are known formats that are not read, with advice on converting their files.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace talweg {
 
-/// What to do with a file of a format that is known but not read, by its extension, as a part of a
+/// Advice on a file of a format that is known but not read, by its extension, as a part of a
 /// sentence: ": it is a volume: ..."; empty for other extensions.
 std::string instead_of(const std::filesystem::path& path);
 

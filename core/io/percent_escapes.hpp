@@ -1,4 +1,4 @@
-// Names in URIs and in VTK's files have bytes as %20.
+// Percent escapes such as %20 stand for bytes in URIs and in the names of VTK's files.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ inline int hex_digit(char c) {
   return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/// The text with bytes in place of their escapes; a % that begins none stays.
+/// The text with bytes in place of their escapes; a % that begins no escape stays.
 inline std::string without_escapes(std::string_view text) {
   std::string result;
   for (std::size_t k = 0; k < text.size(); ++k) {

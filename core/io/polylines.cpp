@@ -8,8 +8,8 @@
 namespace talweg::formats {
 namespace {
 
-/// The marks of a line's points. The end of a closed one is a copy of its first point, and may say
-/// what that does not.
+/// The marks of a line's points. The last point of a closed line is a copy of the first; its mark
+/// counts if the first has none.
 std::vector<double> marks_along(const Line& line, bool closed, std::span<const double> marks) {
   std::vector<double> result;
   for (const std::uint32_t k : line) result.push_back(marks[k]);
@@ -19,8 +19,8 @@ std::vector<double> marks_along(const Line& line, bool closed, std::span<const d
   return result;
 }
 
-/// Gives segments of two points that meet at a place the same point there, so that they are joined
-/// like those that share its number.
+/// Gives segments of two points that meet at equal positions the same point index there, so that
+/// they are joined like segments that share an index.
 void join_segments(std::span<const Point> points, std::vector<Line>& lines) {
   std::vector<std::uint32_t> ends;
   for (const Line& line : lines) {

@@ -24,15 +24,15 @@ inline std::optional<std::uint32_t> index_below(double value, std::size_t count)
   return static_cast<std::uint32_t>(value);
 }
 
-/// The joined lines as curves; segments of two points are joined by their places, others by the
-/// numbers of their ends. A curve is closed if it ends where it began: at the same index, or
-/// with at least four points at the same coordinates. All indices must be in range. `marks`, if
-/// any, are those of the points (point_marks.hpp).
+/// The joined lines as curves. Segments of two points are joined at equal positions, other lines at
+/// equal indices of their ends. A curve is closed if it ends at its first index, or, with at least
+/// four points, at equal coordinates. All indices must be in range. `marks` are the marks of the
+/// points (point_marks.hpp), or empty.
 std::vector<CurveInput> curves_of(std::span<const Point> points, std::vector<Line> lines,
                                   std::span<const double> marks = {});
 
-/// Throws Error(kBadFile) unless there are as many marks as points and all are marks. `fail` throws
-/// it with the file and the place.
+/// Throws Error(kBadFile) unless there are as many marks as points and all numbers are marks.
+/// `fail` throws the error with the file and the place.
 template <class Fail>
 void check_marks(std::span<const double> marks, std::size_t points, const Fail& fail) {
   if (marks.size() != points) {

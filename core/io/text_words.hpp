@@ -1,4 +1,4 @@
-// Words of a text are parsed the same for every format, and independently of the locale.
+// Words of a text are parsed alike for every format, and independently of the locale.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,9 @@ inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Parses a whole word, which may begin with a plus sign; false if it is not a number. A number may
-/// be infinite or NaN; one too small for a double becomes 0, one too large infinite.
+/// Parses a whole word, which may begin with a plus sign; false if the word is not a number. A
+/// number may be infinite or NaN; a number too small for a double becomes 0, a number too large
+/// infinite.
 bool parse(std::string_view word, double& value);
 bool parse(std::string_view word, std::int64_t& value);
 

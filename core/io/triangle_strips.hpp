@@ -1,4 +1,4 @@
-// Triangle strips are how PLY files of the Stanford archive hold their faces.
+// Triangle strips hold the faces in PLY files of the Stanford archive.
 #pragma once
 
 #include <array>

@@ -13,10 +13,10 @@
 namespace talweg::formats {
 namespace {
 
-/// As for PLY files: the numbers of a polygon come once for each of its triangles.
+/// The limit of PLY files: the numbers of a polygon are stored once per triangle.
 constexpr std::size_t kMostColumns = 64;
 
-/// Names of the columns of an array. Normals, colours and texture coordinates have those of PLY.
+/// Names of the columns of an array. Normals, colours and texture coordinates get the names of PLY.
 std::vector<std::string> column_names(const VtkArray& array) {
   const auto is = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), array.name) != names.end();
@@ -44,7 +44,7 @@ std::vector<std::string> column_names(const VtkArray& array) {
   return names;
 }
 
-/// Makes a name unlike the coordinates' and those of other columns.
+/// Makes a name that differs from x, y, z and the names of other columns.
 std::string free_name(std::string name, const std::vector<AttributeColumn>& columns) {
   const auto taken = [&] {
     if (name == "x" || name == "y" || name == "z") return true;

@@ -37,13 +37,14 @@ class VtkFaces {
 
   /// Begins a piece; three coordinates for each point.
   void begin_piece(std::span<const double> coordinates);
-  /// A cell of the piece by its points' numbers, counted from the piece's first.
+  /// Adds a cell of the piece, given by point numbers that count from the first point of the piece.
   void add_cell(VtkCell kind, std::span<const double> corners, const Fail& fail);
-  /// Cells without faces, with what they are ("vertices", "lines"), to be told.
+  /// Counts cells without faces for the notes; `what` names their kind ("vertices", "lines").
   void skip_cells(std::size_t count, std::string_view what);
-  /// Arrays of the piece's points (or cells), those that do not fit are named in `left_out`.
+  /// Ends a piece, with the arrays of its points and cells. Arrays that do not fit are named in
+  /// `left_out`.
   void end_piece(std::vector<VtkArray> of_points, std::vector<VtkArray> of_cells);
-  /// Tells what was left out.
+  /// Adds the skipped cells to the notes of the mesh.
   void end();
 
  private:
@@ -61,9 +62,9 @@ class VtkFaces {
   std::vector<std::pair<std::string, std::size_t>> skipped_;
 };
 
-/// What a number of vtkCellType.h is.
+/// The kind of a type number of vtkCellType.h.
 VtkCell cell_kind(double type);
-/// The corners among the points of a cell: those of quadratic cells come first.
+/// The number of corners among the points of a cell. The corners of quadratic cells come first.
 std::size_t cell_corners(double type, std::size_t points);
 
 }  // namespace talweg::formats

@@ -61,7 +61,7 @@ VtkLegacy::VtkLegacy(const Source& source, bool any_number)
   first.remove_prefix(kMagic.size());
   split_cells_ = !first.empty() && first[0] >= '5';
   scanner_.next_line();
-  space_ = space_in(scanner_.rest_of_line());  // the title may say it
+  space_ = space_in(scanner_.rest_of_line());  // the title may name the space
   scanner_.next_line();
   const std::string_view encoding = scanner_.word_on_line();
   if (encoding != "ASCII" && encoding != "BINARY") scanner_.fail("ASCII or BINARY", encoding);
@@ -114,7 +114,7 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_fields() {
   for (std::uint64_t k = 0; k < count; ++k) {
     Array array;
     array.name = without_escapes(scanner_.word());
-    while (array.name == "METADATA") {  // of the array before
+    while (array.name == "METADATA") {  // of the previous array
       skip_metadata();
       array.name = without_escapes(scanner_.word());
     }
@@ -142,7 +142,7 @@ std::vector<VtkLegacy::Array> VtkLegacy::read_attribute(std::string_view kind,
     Array array{without_escapes(word_on_line()), read_count(), {}, NumberType::kUint8};
     array.numbers =
         read_numbers(array.components * count, ascii_ ? NumberType::kFloat32 : NumberType::kUint8);
-    if (ascii_) {  // as parts of one
+    if (ascii_) {  // text has fractions of 1
       for (double& x : array.numbers) x = std::round(255 * x);
     }
     return {std::move(array)};

@@ -18,7 +18,7 @@ class VtkLegacy {
  public:
   static constexpr std::uint64_t kMostItems = std::numeric_limits<std::uint32_t>::max();
 
-  /// Numbers in text must be finite unless `any_number`; bytes may hold all.
+  /// Numbers in text must be finite unless `any_number`; binary numbers may be any.
   explicit VtkLegacy(const Source& source, bool any_number = false);
 
   /// word() gives the next word on any line, word_on_line() on this line; empty at the end.

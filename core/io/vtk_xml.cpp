@@ -102,7 +102,7 @@ std::optional<NumberType> VtkXml::number_type(const pugi::xml_node& array) {
 
 std::vector<double> VtkXml::read_array(const pugi::xml_node& array) const {
   const std::string_view format = array.attribute("format").as_string("ascii");
-  // A string has the codes of its letters, 0 at the end.
+  // A string is stored as the codes of its letters, with 0 at the end.
   const bool is_text = std::string_view(array.attribute("type").value()) == "String";
   const auto type = is_text ? NumberType::kInt8 : number_type(array);
   if (!type) fail(array, "expected a type such as Float64 or Int32");

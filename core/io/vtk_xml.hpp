@@ -1,4 +1,4 @@
-// VTK's XML files have data arrays in a tree; they are read if they are well-formed.
+// VTK's XML files hold data arrays in a tree; files that are not well-formed are errors.
 #pragma once
 
 #include <optional>

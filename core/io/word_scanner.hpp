@@ -1,4 +1,4 @@
-// A word scanner goes from word to word of a text, whatever lines they stand on.
+// A word scanner reads a text word by word, across lines.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ class WordScanner {
   [[nodiscard]] std::size_t remaining() const { return text_.size() - position_; }
   /// The next n bytes, unchanged; throws if there are fewer. Lines in them are not counted.
   std::string_view bytes(std::size_t n);
-  /// Goes on at a later byte. Lines up to it are counted.
+  /// Continues at a later byte. Skipped lines are counted.
   void skip_to(std::size_t position);
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 

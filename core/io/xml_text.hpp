@@ -1,4 +1,4 @@
-// Text in XML is parsed, or refused with its line.
+// XML text is parsed; an error names its line.
 #pragma once
 
 #include <filesystem>

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::uint64_t kLargest = std::uint64_t{1} << 31U;
 constexpr std::uint64_t kEndSize = 22;
-constexpr std::uint32_t kNarrow = 0xFFFFFFFFU;  // the number stands in 64 bits elsewhere
+constexpr std::uint32_t kNarrow = 0xFFFFFFFFU;  // the extra field has the number, in 64 bits
 
-/// Raw deflate data, whose size is known; empty where they are damaged.
+/// Unpacks raw deflate data of known size; empty if the data are damaged.
 std::string unpacked(std::string_view packed, std::uint64_t size) {
   std::string result;
   z_stream stream{};
@@ -83,7 +83,8 @@ void ZipArchive::read_directory(std::uint64_t at, std::uint64_t count) {
   }
 }
 
-/// Numbers of 64 bits stand in an extra field, in this order, those that do not fit 32.
+/// Reads numbers of 64 bits from the extra field, which holds, in this order, the numbers that do
+/// not fit 32 bits.
 void ZipArchive::widen(Entry& entry, std::uint64_t at, std::uint64_t length) const {
   const std::uint64_t end = at + length;
   while (at + 4 <= end) {

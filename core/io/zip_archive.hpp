@@ -11,14 +11,15 @@
 namespace talweg::formats {
 
 /// An archive in memory (PKWARE's APPNOTE.TXT; also with sizes of 64 bits). Offsets and sizes are
-/// checked against the bytes there are. All errors are Error(kBadFile).
+/// checked against the size of the file. All errors are Error(kBadFile).
 class ZipArchive {
  public:
-  /// Reads the directory; both must outlive it.
+  /// Reads the directory. `path` and `bytes` must outlive the archive.
   ZipArchive(const std::filesystem::path& path, std::string_view bytes);
 
   [[nodiscard]] bool has(const std::string& name) const { return entries_.contains(name); }
-  /// Unpacks a file, at most 2 GiB, and checks its sum. Throws where it is encrypted or damaged.
+  /// Unpacks a file, at most 2 GiB, and checks its checksum. Throws if the file is encrypted or
+  /// damaged.
   [[nodiscard]] std::string read(const std::string& name) const;
 
  private:

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kOntoVertex = 1e-9;  // of an edge
 
-/// Nodes on edges and in faces, and which follows which.
+/// Nodes of isolines on edges and in faces, linked to their successors.
 struct LevelNodes {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   std::vector<SurfacePoint> points;
   std::vector<std::uint32_t> next;
   std::vector<char> has_last;
-  std::vector<FaceId> faces;  // of the chord to the next, or from the last
+  std::vector<FaceId> faces;  // of the chord to the successor, or else from the predecessor
 
   std::uint32_t add(const SurfacePoint& point) {
     points.push_back(point);
@@ -51,9 +51,9 @@ class IsolineTracer {
 
  private:
   struct EdgeCrossings {
-    std::vector<double> parts;  // of the edge, from the tail of its own halfedge
-    std::uint32_t first = 0;    // node of the first; the others follow
-    bool passable = false;      // whether some of the edge is near
+    std::vector<double> parts;  // fractions of the edge, from the tail of halfedge_of(edge)
+    std::uint32_t first = 0;    // node of the first crossing; the other nodes follow
+    bool passable = false;      // whether a point of the edge is within the level
   };
 
   [[nodiscard]] double at_vertex(VertexId v) const {
@@ -70,7 +70,7 @@ class IsolineTracer {
   PolylineDistance& distance_;
   LevelChoice choice_;
   double beyond_;
-  std::vector<std::uint32_t> known_;  // per edge, in edges_
+  std::vector<std::uint32_t> known_;  // per edge, its index in edges_
   std::vector<EdgeCrossings> edges_;
   std::vector<char> visited_;  // per face
   std::vector<FaceId> open_;
@@ -105,7 +105,8 @@ void IsolineTracer::visit(FaceId face) {
   open_.push_back(face);
 }
 
-/// The distance is nowhere larger than at a corner and the way from there.
+/// Whether the whole face is nearer than the level. The distance in a face is at most the distance
+/// of a corner plus the longest edge.
 bool IsolineTracer::is_near_throughout(FaceId face) const {
   double longest = 0, least = HUGE_VAL;
   HalfedgeId h = surface_.halfedge(face);
@@ -118,7 +119,7 @@ bool IsolineTracer::is_near_throughout(FaceId face) const {
 
 void IsolineTracer::look_into(FaceId face) {
   FaceRim rim;
-  std::vector<std::uint32_t> outer;  // the rim's nodes among all
+  std::vector<std::uint32_t> outer;  // numbers of the rim's nodes in nodes_
   HalfedgeId h = surface_.halfedge(face);
   for (std::size_t k = 0; k < 3; ++k, h = surface_.next(h)) {
     const EdgeCrossings& edge = crossings(edge_of(h));
@@ -144,7 +145,7 @@ void IsolineTracer::look_into(FaceId face) {
   }
 }
 
-/// Points that coincide are one.
+/// Follows the nodes from `first`. Equal consecutive points are merged.
 LevelCurve IsolineTracer::follow(std::uint32_t first, bool closed) {
   LevelCurve curve;
   curve.closed = closed;

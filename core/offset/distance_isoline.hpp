@@ -1,4 +1,4 @@
-// A distance isoline is the curves of all points that are equally far from some curves.
+// A distance isoline is the set of surface points at one distance from given curves.
 #pragma once
 
 #include <span>
@@ -11,20 +11,20 @@
 
 namespace talweg {
 
-/// One component of an isoline, with what is nearer on its left. It is closed, or begins and ends
-/// on the boundary of the mesh.
+/// One component of an isoline; the nearer side is on its left. A component is closed, or begins
+/// and ends on the boundary of the mesh.
 struct LevelCurve {
   bool closed = false;
-  std::vector<SurfacePoint> points;  ///< a closed curve's first is not repeated
-  std::vector<FaceId> faces;         ///< one that contains the point and the next
+  std::vector<SurfacePoint> points;  ///< a closed curve does not repeat its first point
+  std::vector<FaceId> faces;  ///< per point, a face that contains the point and the next point
 };
 
-/// The points whose distance is `choice.level`, which `distance` must be set to `curves` for: first
-/// components that begin on the boundary, then closed ones. The distance of every point is the
-/// level times 1 + 1e-11, up to rounding: so an isoline along edges of the mesh is one that passes
-/// just beyond their vertices, and is put on them where it is within 1e-9 of an edge.
-/// Only faces nearer than the level are visited. Memory O(faces + edges), set to zero at once.
-/// Throws Cancelled if the asker of `distance` does.
+/// Traces the isoline at `choice.level`. `distance` must be set to `curves`. Components that begin
+/// on the boundary come first, closed components after them. The distance of the points is the
+/// level times 1 + 1e-11, up to rounding, so an isoline along edges of the mesh passes just beyond
+/// their vertices. A node closer to a vertex than 1e-9 of the edge is put on the vertex. Only faces
+/// nearer than the level are visited. Memory O(faces + edges), set to zero at once. Throws
+/// Cancelled if the asker of `distance` does.
 std::vector<LevelCurve> distance_isoline(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          PolylineDistance& distance, const LevelChoice& choice);

@@ -18,14 +18,14 @@ Barycentric mixed(const Barycentric& a, const Barycentric& b, double t) {
   return result;
 }
 
-/// A part of the face: a triangle.
+/// A triangular part of the face.
 struct LevelPart {
   struct Corner {
     Barycentric at{};
     bool near = false;
   };
   struct Crossing {
-    double t = 0;  ///< part of the side
+    double t = 0;  ///< fraction of the side
     std::uint32_t node = 0;
   };
   using Side = std::vector<Crossing>;
@@ -33,7 +33,7 @@ struct LevelPart {
   std::array<Side, 3> sides;
 };
 
-/// A crossing of the rim of a part, counterclockwise.
+/// A crossing on the rim of a part. The rim runs counterclockwise.
 struct RimNode {
   std::uint32_t node = 0;
   bool exit = false;  ///< from near to far
@@ -80,7 +80,7 @@ class LevelFinder {
   std::vector<std::size_t> ways_that_matter_;
   FaceLevel found_;
   std::vector<LevelPart> open_;
-  // Of the part that is being looked at.
+  // State of the part under examination.
   Barycentric center_{};
   double reach_ = 0;  // from the center to the farthest corner
   bool center_near_ = false;
@@ -88,7 +88,8 @@ class LevelFinder {
   std::vector<FaceLevel::Chord> chords_;
 };
 
-/// Whether another way leads over a corner, so that none around it is shorter.
+/// Whether another way is as short at the corner as the corner's distance. The way through the
+/// corner is then nowhere shorter than the other way.
 bool LevelFinder::is_passed(std::size_t corner) const {
   constexpr double kSame = 1e-12;
   Barycentric at{};
@@ -141,7 +142,7 @@ std::size_t LevelFinder::longest_side(const LevelPart& part) const {
   return static_cast<std::size_t>(std::max_element(length.begin(), length.end()) - length.begin());
 }
 
-/// Collects the crossings around a part, and joins them.
+/// Collects the crossings on the rim of a part and joins them by chords.
 void LevelFinder::set_rim(const LevelPart& part) {
   center_ = {};
   for (const auto& corner : part.corners) {
@@ -161,7 +162,7 @@ void LevelFinder::set_rim(const LevelPart& part) {
   set_chords();
 }
 
-/// What is near is joined if the center is; otherwise what is far.
+/// A chord cuts off a far stretch of the rim if the center is near, otherwise a near stretch.
 void LevelFinder::set_chords() {
   chords_.clear();
   const std::size_t n = rim_.size();
@@ -179,8 +180,8 @@ bool LevelFinder::is_simple(const LevelPart& part) {
          rises_throughout(part);
 }
 
-/// Whether a curve begins in the part, on the far side of the chords: the distance has no other
-/// minima than curves, so there the level set goes around one.
+/// Whether an end of a segment of the curves lies beyond the chords of the part. The distance has
+/// minima only on curves, so the chords then miss a component of the level set around the end.
 bool LevelFinder::has_hidden_source(const LevelPart& part) const {
   if (ways_.segments.empty()) return false;
   const auto inside = [&](PlanePoint p, std::span<const PlanePoint> polygon) {
@@ -229,7 +230,7 @@ std::vector<std::vector<Barycentric>> LevelFinder::near_parts(const LevelPart& p
       near = !near;
     }
   }
-  // What begins at the first corner and what ends there is the same.
+  // The polygon that begins at the first corner continues the polygon that ends there.
   if (near && polygons.size() > 1) {
     polygons.front().insert(polygons.front().begin(), polygons.back().begin(),
                             polygons.back().end());
@@ -239,8 +240,8 @@ std::vector<std::vector<Barycentric>> LevelFinder::near_parts(const LevelPart& p
   return polygons;
 }
 
-/// Whether each near polygon is near by one way alone: a way's length is convex, so then no point
-/// of it is far.
+/// Whether for each near polygon a single way is within the level at all its corners. The length of
+/// a way is convex, so no point of the polygon is then far.
 bool LevelFinder::is_one_way_near(const LevelPart& part) const {
   constexpr double kSame = 1e-9;
   const double most = level_ + kSame * std::max(level_, ways_.longest);
@@ -256,8 +257,8 @@ bool LevelFinder::is_one_way_near(const LevelPart& part) const {
   return true;
 }
 
-/// Whether there is a direction along which all ways get longer that can be shortest somewhere in
-/// the part: then it has no local maxima inside.
+/// Whether all ways that can be shortest in the part get longer along one common direction. The
+/// distance then has no local maximum inside the part.
 bool LevelFinder::rises_throughout(const LevelPart& part) const {
   constexpr double kLeast = 0.05;  // slope
   const double most = distance(center_) + 2 * reach_;
@@ -279,7 +280,7 @@ bool LevelFinder::rises_throughout(const LevelPart& part) const {
 
 LevelPart::Side LevelFinder::crossings_between(const LevelPart::Corner& from,
                                                const LevelPart::Corner& to) {
-  constexpr double kGap = 1e-11;  // of the line
+  constexpr double kGap = 1e-11;  // fraction of the line
   const double length = between(from.at, to.at);
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < ways_.count() && length > 0; ++i) {
@@ -298,7 +299,7 @@ LevelPart::Side LevelFinder::crossings_between(const LevelPart::Corner& from,
   return side;
 }
 
-/// Halves a part from the middle of a side to the corner across.
+/// Halves a part along the line from the middle of a side to the opposite corner.
 void LevelFinder::split(const LevelPart& part, std::size_t side) {
   const std::size_t next = (side + 1) % 3, across = (side + 2) % 3;
   const auto &a = part.corners[side], &b = part.corners[next], &c = part.corners[across];

@@ -11,21 +11,22 @@
 
 namespace talweg {
 
-/// Which level set, and how exactly its arcs are drawn. Mesh units.
+/// A level set and the accuracy of its polylines. Mesh units.
 struct LevelChoice {
-  double level = 0;      ///< > 0: the distance of its points
-  double tolerance = 0;  ///< > 0: how far the distance may be from that between two points
+  double level = 0;      ///< > 0: the distance of the points of the level set
+  double tolerance = 0;  ///< > 0: largest error of the distance between two nodes
 };
 
-/// What is known of the three sides of a face: side k runs from corner k to the next.
+/// The crossings of the level set with the three sides of a face. Side k runs from corner k to
+/// corner k + 1.
 struct FaceRim {
-  std::array<bool, 3> near{};                    ///< corners that are not farther than the level
-  std::array<std::vector<double>, 3> crossings;  ///< of each side: parts in [0, 1], in order
+  std::array<bool, 3> near{};  ///< whether the distance of a corner is at most the level
+  std::array<std::vector<double>, 3> crossings;  ///< per side: fractions in [0, 1], in order
 };
 
-/// A level set in a face: nodes, first those of the rim in its order, and the chords between them.
-/// Every chord has what is nearer on its left; a node of the rim is an end of one chord, any other
-/// of two.
+/// A level set in a face: nodes and the chords between them. The nodes of the rim come first, in
+/// the order of the rim. The nearer side of a chord is on its left. A node of the rim is an end of
+/// one chord, any other node of two.
 struct FaceLevel {
   std::vector<std::array<double, 3>> nodes;  ///< barycentrics
   struct Chord {
@@ -34,11 +35,11 @@ struct FaceLevel {
   std::vector<Chord> chords;
 };
 
-/// Finds the level set in a face by halving the face until each part of it is simple: the chords
-/// between the crossings of its sides are within the tolerance, and nothing lies between them. No
-/// way to a curve is shorter than the shortest, and each has a convex length, so that crossings of
-/// lines are found exactly. Holes and gaps narrower than half the tolerance may be missed.
-/// O(ways into the face) for each part.
+/// Finds the level set in a face by halving the face until each part is simple: the chords between
+/// the crossings of its sides are within the tolerance, and no other component of the level set
+/// lies in the part. The distance is the least length of a way, and the length of a way is convex,
+/// so crossings of lines are found exactly. Holes and gaps narrower than half the tolerance may be
+/// missed. O(ways into the face) for each part.
 FaceLevel level_in_face(const WaysIntoFace& ways, const FaceRim& rim, const LevelChoice& choice);
 
 }  // namespace talweg

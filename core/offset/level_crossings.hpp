@@ -1,4 +1,5 @@
-// Level crossings are where a line over the surface passes from near a curve to far from it.
+// Level crossings are the places where a line on the surface passes between near a curve and far
+// from it.
 #pragma once
 
 #include <span>
@@ -8,10 +9,10 @@
 
 namespace talweg {
 
-/// The places on a line of some length where a stretch begins or ends, in order. Whether the ends
-/// of the line are near was decided for all lines that meet there; where the stretches disagree, by
-/// rounding, the line crosses at its very end. So there is an odd number of crossings if and only
-/// if one end is near and the other is not.
+/// The places on a line of the given length where a stretch near the curve begins or ends, in
+/// order. `begins_near` and `ends_near` are the same for all lines that meet at the end. Where the
+/// stretches disagree with them, by rounding, a crossing is put at the very end of the line. The
+/// number of crossings is therefore odd if and only if one end is near and the other is far.
 inline std::vector<double> level_crossings(std::span<const Stretch> near, double length,
                                            bool begins_near, bool ends_near) {
   std::vector<double> at;

@@ -62,7 +62,8 @@ double OffsetMaker::off_max(const SurfaceCurve& curve, double distance) {
   return most;
 }
 
-/// One sentence.
+/// The reason why a distance has no offset curve, as one sentence. `other_side`: an isoline exists,
+/// but no part of it is wanted.
 std::string OffsetMaker::why_none(double distance, bool other_side) {
   if (other_side && options_.side != CurveSide::kBoth) {
     return fmt::format("Nothing at the distance {:.6g} lies on the {} of the curve.", distance,

@@ -1,4 +1,4 @@
-// An offset report tells what an offset's curves are, and how exactly they have their distance.
+// An offset report has the sides, lengths and distance errors of offset curves.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace talweg {
 
-/// The totals: numbers, length, the largest error, and these warnings; of a single curve also the
-/// distance and side. O(curves), as the next.
+/// The totals: counts, length, the largest distance error, and the given warnings; for a single
+/// curve also its distance and side. O(curves), like curve_entries_of().
 std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const OffsetResult& result,
                                     const std::vector<std::string>& warnings);
 /// The report on each curve.
 std::vector<std::vector<ReportEntry>> curve_entries_of(const OffsetResult& result);
 
-/// Throws Error(kBadUsage) with the result's sentences if there is no curve at all.
+/// Throws Error(kBadUsage) with the warnings of the result if it has no curve.
 void check_any(const OffsetResult& result);
 
 }  // namespace talweg

@@ -44,7 +44,8 @@ class SidedCutter {
   std::vector<WayOrigin> found_;  // per point
 };
 
-/// Gives points of unknown side that of the last point beside a curve, or else of the next.
+/// Gives a point of unknown side the side of the last known point before it, or else of the first
+/// known point.
 void SidedCutter::fill() {
   const std::size_t n = size();
   const auto known = [](const WayOrigin& origin) {
@@ -52,7 +53,7 @@ void SidedCutter::fill() {
   };
   const auto first = std::find_if(found_.begin(), found_.end(), known);
   if (first == found_.end()) return;
-  // Before the first point that is known are the last ones if the line is closed.
+  // The last known point of a closed line comes before its first known point.
   const auto before = line_.closed ? *std::find_if(found_.rbegin(), found_.rend(), known) : *first;
   Kind last = before.kind;
   for (std::size_t i = 0; i < n; ++i) {
@@ -61,8 +62,8 @@ void SidedCutter::fill() {
   }
 }
 
-/// The place on the segment after a point at which the side changes; what is not known is as the
-/// point.
+/// The place where the wanted side begins or ends on the segment after point `first`. An unknown
+/// side counts as the side of `first`.
 SurfacePoint SidedCutter::change_between(std::size_t first) const {
   constexpr int kHalvings = 40;
   const FaceId face = line_.faces[first];
@@ -113,7 +114,8 @@ void SidedCutter::begin_at_least_arc(SidedPart& part, std::vector<WayOrigin>& or
   std::rotate(origins.begin(), least, origins.end());
 }
 
-/// The points from `first`, and the places where the side changes before and after.
+/// The part of `count` points from `first`, extended to the places where the side changes before
+/// and after.
 SidedPart SidedCutter::part(std::size_t first, std::size_t count, bool closed) const {
   const std::size_t n = size();
   SidedPart part;
@@ -148,8 +150,8 @@ std::vector<SidedPart> SidedCutter::cut() const {
   std::size_t unwanted = 0;
   while (unwanted < n && is_wanted_at(unwanted)) ++unwanted;
   if (unwanted == n) return {part(0, n, line_.closed)};
-  // A closed line is looked at from a point that is not wanted, so that no part spans its
-  // beginning.
+  // A closed line is traversed from an unwanted point, so no part spans the first point of the
+  // line.
   const std::size_t begin = line_.closed ? unwanted : 0;
   std::vector<SidedPart> parts;
   for (std::size_t k = 0; k < n;) {

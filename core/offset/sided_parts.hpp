@@ -1,4 +1,4 @@
-// Sided parts are those stretches of an isoline that lie on a wanted side of the curves.
+// Sided parts are the stretches of an isoline that lie on a wanted side of the curves.
 #pragma once
 
 #include <vector>
@@ -9,18 +9,18 @@
 
 namespace talweg {
 
-/// A part of an isoline. On the left or the right of a curve it runs along with it; elsewhere what
-/// is nearer is on its left.
+/// A part of an isoline. On the left or the right of a curve, the part runs in the direction of the
+/// curve; elsewhere the nearer side is on its left.
 struct SidedPart {
   SurfaceCurve curve;
   CurveSide side = CurveSide::kBoth;  ///< both: around a curve, or along both of its sides
-  std::size_t along = 0;              ///< number of the curve that its first point is nearest to
-  double arc = 0;                     ///< arc length there; a closed part begins where it is least
+  std::size_t along = 0;              ///< number of the curve nearest to the first point
+  double arc = 0;                     ///< arc length on `along`; a closed part begins at its least
 };
 
-/// Points whose side is not known have that of the point before them that is beside a curve. A part
-/// ends where the side changes, which is found by halving the last segment. O(points · ways into a
-/// face).
+/// Cuts an isoline into the parts on a wanted side. A point of unknown side has the side of the
+/// last point before it with a known side. A part ends where the side changes; the place is found
+/// by bisection of the segment. O(points · ways into a face).
 std::vector<SidedPart> sided_parts(const Surface& surface, const LevelCurve& isoline,
                                    const WayOrigins& origins, CurveSide side, OffsetCaps caps);
 

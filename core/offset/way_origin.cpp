@@ -13,7 +13,8 @@ bool ends_on_boundary(const Surface& surface, const SurfacePoint& point) {
   return false;
 }
 
-/// The side of a segment in the face itself: 1 left, -1 right, 0 if the way begins at its end.
+/// The side of a segment in the same face on which a point lies: 1 left, -1 right; 0 if the point
+/// lies on the line or is nearest to an end of the segment.
 int side_of_segment(const WaysIntoFace& ways, const PolylinePiece& segment,
                     const std::array<double, 3>& b) {
   const PlanePoint p = ways.frames[0].at(segment.from, 0), q = ways.frames[0].at(segment.to, 0);
@@ -29,8 +30,8 @@ int side_of(const WaysIntoFace& ways, const WaysIntoFace::Hit& way,
   return way.segment != nullptr ? side_of_segment(ways, *way.segment, b) : 0;
 }
 
-/// The shortest way, or one as short that begins beside a curve: at a vertex, the way along an edge
-/// is as short as the one through the face.
+/// The shortest way, or an equally short way that begins beside a curve: at a vertex, the way along
+/// an edge is as short as the way through the face.
 WaysIntoFace::Hit sided_hit(const WaysIntoFace& ways, const std::array<double, 3>& b) {
   const WaysIntoFace::Hit hit = ways.hit(b);
   if (side_of(ways, hit, b) != 0) return hit;
@@ -57,7 +58,7 @@ WayOrigins::WayOrigins(const Surface& surface, std::span<const SurfaceCurve> cur
 }
 
 WayOrigin WayOrigins::of(const FaceCoordinates& at) const {
-  constexpr double kEndPart = 1e-12;  // of the curve
+  constexpr double kEndPart = 1e-12;  // fraction of the curve
   const WaysIntoFace& ways = distance_->ways_into(at.face, limit_);
   const WaysIntoFace::Hit hit = sided_hit(ways, at.barycentric);
   const int side = side_of(ways, hit, at.barycentric);

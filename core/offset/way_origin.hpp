@@ -1,4 +1,4 @@
-// A way's origin is where on a curve the shortest way to a point begins, and on which side.
+// A way's origin is the point of a curve where the shortest way begins, and the side of the curve.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace talweg {
 
 struct WayOrigin {
   enum class Kind {
-    kLeft,     ///< of a segment, at a right angle to it
-    kRight,    ///< the same
-    kEnd,      ///< an end of an open curve inside the surface
-    kUnknown,  ///< another point, around which the way may turn
+    kLeft,     ///< left of a segment, at a right angle to the segment
+    kRight,    ///< right of a segment, likewise
+    kEnd,      ///< an end of an open curve, off the boundary of the mesh
+    kUnknown,  ///< any other: a vertex of a curve, or a way that bends at a vertex of the mesh
   };
   Kind kind = Kind::kUnknown;
   std::uint32_t curve = 0;
@@ -24,19 +24,19 @@ struct WayOrigin {
   double distance = 0;  ///< length of the way
 };
 
-/// Tells the origins of ways that a distance finds, which must outlive the object.
+/// Finds the origins of the shortest ways of a distance. The distance must outlive the object.
 class WayOrigins {
  public:
-  /// `distance` is set to `curves`; no point will be farther than `limit`.
+  /// `distance` must be set to `curves`. No point passed to of() may be farther than `limit`.
   WayOrigins(const Surface& surface, std::span<const SurfaceCurve> curves,
              PolylineDistance& distance, double limit);
 
-  /// Of the shortest way to a point that lies in that face. O(ways into the face).
+  /// The origin of the shortest way to a point, given in a face. O(ways into the face).
   [[nodiscard]] WayOrigin of(const FaceCoordinates& at) const;
 
  private:
   struct Ends {
-    bool first = false, last = false;  ///< whether they are inside the surface
+    bool first = false, last = false;  ///< whether an end of an open curve lies off the boundary
   };
   PolylineDistance* distance_;
   double limit_;

@@ -36,7 +36,7 @@ void sort_keys(std::vector<Key>& keys) {
   }
 }
 
-/// By where the boxes' middles lie along the curve.
+/// The objects in the order of the centers of their boxes along the Morton curve.
 std::vector<std::uint32_t> order_of(std::size_t count, const BoxTree::BoxOf& box_of) {
   constexpr double kCells = 1 << 21;
   SpaceBox all = kEmpty;
@@ -80,7 +80,7 @@ BoxTree::BoxTree(std::size_t count, const BoxOf& box_of, Halving halving) {
   build(0, size, boxes);
 }
 
-/// Halves by the boxes' middles along the longest side.
+/// Halves a range at the median of the boxes' centers along the longest side.
 std::uint32_t BoxTree::build(std::uint32_t begin, std::uint32_t end,
                              std::span<const SpaceBox> boxes) {
   const auto id = static_cast<std::uint32_t>(nodes_.size());

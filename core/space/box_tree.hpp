@@ -1,4 +1,4 @@
-// A box tree tells which of many things in space are nearest, or overlap.
+// A box tree finds the nearest of many objects in space, and objects whose boxes overlap.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace talweg {
 
-/// An upright box in space.
+/// An axis-aligned box in space.
 struct SpaceBox {
   Point low, high;
 
@@ -26,7 +26,7 @@ struct SpaceBox {
     for (const Point& p : points) box = box.with({p, p});
     return box;
   }
-  /// Touching counts.
+  /// Whether the boxes overlap or touch.
   [[nodiscard]] bool overlaps(const SpaceBox& other) const {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
@@ -39,8 +39,9 @@ struct SpaceBox {
   }
 };
 
-/// The boxes that a triangle's box overlaps and its plane goes through, but for rounding; where it
-/// is but a segment, three planes through that.
+/// A place for BoxTree::visit(): the boxes that overlap a triangle's box and meet its plane, up to
+/// rounding. For a triangle that is a segment, the boxes must meet three planes through the
+/// segment.
 class BoxesAtTriangle {
  public:
   BoxesAtTriangle(const Point& a, const Point& b, const Point& c)
@@ -71,25 +72,26 @@ class BoxesAtTriangle {
   std::size_t count_ = 1;
 };
 
-/// Boxes around neighbouring things, around pairs of those, and so on. It knows things by their
-/// numbers, and asks for the box of one where it needs it. Immutable, so many threads may ask.
-/// About 25 bytes for a thing. A query is O(log n) as a rule, and what it meets.
+/// A bounding volume hierarchy: boxes around neighbouring objects, around pairs of these boxes, and
+/// so on. An object is a number; queries ask the caller for its box. Immutable, so threads may
+/// share a tree. About 25 bytes per object. A query is usually O(log n + objects met).
 class BoxTree {
  public:
   using BoxOf = std::function<SpaceBox(std::uint32_t)>;
 
-  /// How the things are halved, again and again.
+  /// The rule by which a set of objects is halved, recursively.
   enum class Halving {
-    kByMiddles,  ///< by their boxes' middles: the better tree, O(n log n) to build
-    /// More than a few thousand along a space-filling curve (G. M. Morton 1966), O(n) to build. For
-    /// queries whose answer does not depend on the order in which things are visited.
+    kByMiddles,  ///< by the centers of the boxes: the better tree, O(n log n) to build
+    /// Along a space-filling curve if there are more than 2^15 objects (G. M. Morton 1966), O(n) to
+    /// build. Only for queries whose answer does not depend on the order in which objects are
+    /// visited.
     kFast,
   };
-  /// Of the things 0 to count - 1; all boxes are finite.
+  /// A tree of the objects 0 to count - 1; all boxes must be finite.
   BoxTree(std::size_t count, const BoxOf& box_of, Halving halving = Halving::kByMiddles);
 
-  /// Calls visit(i) for everything whose box place.overlaps(), always in the same order; it must
-  /// say so of a box around one that it overlaps, too. For example a SpaceBox.
+  /// Calls visit(i) for every object whose box satisfies place.overlaps(), always in the same
+  /// order. place.overlaps() must also hold for every box around such a box. A SpaceBox is a place.
   template <class Place, class Visit>
   void visit(const Place& place, const BoxOf& box_of, Visit visit) const {
     std::ignore = any_of(place, box_of, [&](std::uint32_t i) {
@@ -97,27 +99,28 @@ class BoxTree {
       return false;
     });
   }
-  /// Whether is_one(i) holds for any of these; it is not asked for more once it does.
+  /// Whether is_one(i) holds for any object that visit() would visit; stops at the first such
+  /// object.
   template <class Place, class IsOne>
   [[nodiscard]] bool any_of(const Place& place, const BoxOf& box_of, IsOne is_one) const {
     return !nodes_.empty() && any_in(0, place, box_of, is_one);
   }
 
-  /// Calls visit(i, k), i < k, once for everything whose boxes overlap or touch, always in the same
-  /// order.
+  /// Calls visit(i, k), i < k, once for every pair of objects whose boxes overlap or touch, always
+  /// in the same order.
   template <class Visit>
   void visit_pairs(const BoxOf& box_of, Visit visit) const {
     if (!nodes_.empty()) within(0, box_of, visit);
   }
 
   struct Nearest {
-    std::uint32_t index = 0;  ///< the smallest of those found equally near
+    std::uint32_t index = 0;  ///< the smallest index among equally near objects
     double squared_distance = std::numeric_limits<double>::infinity();
 
     [[nodiscard]] bool found() const { return std::isfinite(squared_distance); }
   };
-  /// What is nearest to a position by `squared_distance(i)`, which is at least that to its box.
-  /// Nothing is found where no distance is finite.
+  /// The object nearest to a position by `squared_distance(i)`, which must be at least the squared
+  /// distance to the box of the object. No object is found if no distance is finite.
   template <class SquaredDistance>
   [[nodiscard]] Nearest nearest(const Point& position,
                                 const SquaredDistance& squared_distance) const {
@@ -130,12 +133,12 @@ class BoxTree {
     const auto waiting = [&](std::uint32_t node) -> Waiting {
       return {node, nodes_[node].box.squared_distance(position)};
     };
-    std::array<Waiting, 64> stack{};  // the tree halves, so it is less than 32 deep
+    std::array<Waiting, 64> stack{};  // every level halves, so the tree has less than 32 levels
     std::size_t size = 0;
     stack[size++] = waiting(0);
     while (size > 0) {
       const Waiting top = stack[--size];
-      // Not below the best, but at it: of equally near ones the smallest is wanted.
+      // A node at the best distance is searched, too: among equal objects the smallest index wins.
       if (top.squared > best.squared_distance) continue;
       const Node& node = nodes_[top.node];
       if (node.right == 0) {
@@ -157,7 +160,7 @@ class BoxTree {
  private:
   struct Node {
     SpaceBox box;
-    std::uint32_t begin = 0, end = 0;  // of order_
+    std::uint32_t begin = 0, end = 0;  // range in order_
     std::uint32_t right = 0;           // the first child follows its parent; 0: no children
   };
 

@@ -1,4 +1,4 @@
-// A coordinate frame is what the numbers of a file mean: their unit, and where their axes point.
+// A coordinate frame is the unit of the coordinates in a file and the directions of their axes.
 #pragma once
 
 #include <cstdint>
@@ -35,14 +35,13 @@ class LengthUnit {
 /// back (LPS), or x to the right and y to the front (RAS). z grows upwards in both.
 enum class PatientSpace : std::uint8_t { kNotSaid, kLps, kRas };
 
-/// The word for it in files: "LPS", "RAS", or "" where nothing is said.
+/// The name of a space in files: "LPS", "RAS", or "" for kNotSaid.
 constexpr std::string_view space_name(PatientSpace space) {
   if (space == PatientSpace::kNotSaid) return "";
   return space == PatientSpace::kLps ? "LPS" : "RAS";
 }
 
-/// The frame of a mesh. A mesh that says nothing of its space is taken to be in LPS, as 3D Slicer
-/// takes it.
+/// The frame of a mesh. A mesh that names no space is taken to be in LPS, as 3D Slicer takes it.
 struct CoordinateFrame {
   CoordinateFrame() = default;
   CoordinateFrame(LengthUnit of_unit, PatientSpace of_space = PatientSpace::kNotSaid)
@@ -58,10 +57,11 @@ struct CoordinateFrame {
   }
 };
 
-/// The frame that a text names: a unit (LengthUnit::named), a space, or both ("mm RAS"); empty for
-/// millimetres and nothing said. Throws Error(kBadUsage) that says so.
+/// The frame that a text names: a unit (LengthUnit::named), a space, or both ("mm RAS"). An empty
+/// text means millimetres and kNotSaid. Throws Error(kBadUsage) that lists the known names.
 CoordinateFrame frame_named(std::string_view text);
-/// What a mesh says of its coordinates, as frame_named() takes it; empty if it says nothing.
+/// The unit and the space that a mesh names, as a text for frame_named(); empty if it names
+/// neither.
 std::string frame_text(const std::optional<LengthUnit>& unit, PatientSpace space);
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// A face's shape tells how thin it is.
+// The shape of a face is its smallest angle, or flat.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace talweg {
 
-/// `flat` where twice the area is within the rounding of a cross product of the longest side's
-/// square, so that the angles mean nothing.
+/// `flat` if twice the area is within the rounding of a cross product, relative to the square of
+/// the longest side. The angle of a flat face is meaningless.
 struct FaceShape {
   double smallest_angle = 0;  ///< radians
   bool flat = false;
@@ -26,8 +26,8 @@ inline FaceShape shape_of(const std::array<Point, 3>& p) {
       static_cast<std::size_t>(std::min_element(length.begin(), length.end()) - length.begin());
   const double longest = *std::max_element(length.begin(), length.end());
   if (!(longest > 0)) return {0, true};
-  // The smallest angle lies opposite the shortest side; side k runs from corner k to k + 1.
-  // Scaled, so that tiny units do not underflow.
+  // The smallest angle lies opposite the shortest side; side k runs from corner k to k + 1. The
+  // vectors are scaled, so that tiny units do not underflow.
   const Point& tip = p[(shortest + 2) % 3];
   const Point a = (p[shortest] - tip) / longest;
   const Point b = (p[(shortest + 1) % 3] - tip) / longest;

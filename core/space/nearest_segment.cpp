@@ -14,7 +14,7 @@ double squared_distance_to(const Segment& s, const Point& p) {
   const Point along = s.b - s.a;
   const double squared = along.squaredNorm();
   const double t = squared > 0 ? std::clamp((p - s.a).dot(along) / squared, 0.0, 1.0) : 0.0;
-  // From the nearer end, so that a point at an end has distance 0.
+  // The foot is computed from the nearer end, so that a point at an end has distance 0.
   const Point foot = t <= 0.5 ? Point(s.a + t * along) : Point(s.b - (1 - t) * along);
   return (foot - p).squaredNorm();
 }

@@ -22,7 +22,7 @@ std::vector<Segment> segments_of(std::span<const Point> points, bool closed);
 /// Distance of a point to a segment.
 double distance_to(const Segment& segment, const Point& point);
 
-/// Immutable, so many threads may ask.
+/// Finds the segment nearest to a point. Immutable, so threads may share it.
 class NearestSegment {
  public:
   /// O(n). Throws Error(kBadCurve) when there is no segment or a coordinate is not finite.
@@ -30,12 +30,13 @@ class NearestSegment {
 
   struct Result {
     double distance = 0;      ///< mesh units
-    std::size_t segment = 0;  ///< the one of smallest index among those found equally near
+    std::size_t segment = 0;  ///< the smallest index among equally near segments
   };
   /// The exact nearest segment. O(log n) as a rule.
   [[nodiscard]] Result to(const Point& point) const;
 
-  /// Calls visit(i) for every segment whose box overlaps this one, always in the same order.
+  /// Calls visit(i) for every segment whose box overlaps or touches `box`, always in the same
+  /// order.
   template <class Visit>
   void visit_near(const SpaceBox& box, const Visit& visit) const {
     tree_.visit(

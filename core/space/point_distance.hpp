@@ -1,4 +1,4 @@
-// The distance of two points is right in tiny and huge units as well.
+// The distance of two points is accurate in tiny and huge units as well.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace talweg {
 
-/// Within a few ulp wherever the result is a normal number: squares that would leave the range of
-/// doubles are scaled first.
+/// Accurate to a few ulp if the result is a normal number: squares outside the range of doubles are
+/// scaled first.
 inline double point_distance(const Point& p, const Point& q) {
   const Point d = q - p;
   const double squared = d.squaredNorm();

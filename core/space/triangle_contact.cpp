@@ -9,12 +9,12 @@
 namespace talweg {
 namespace {
 
-/// Far more than the rounding of a product of vectors, of their lengths' product.
+/// Relative to the product of the lengths of two vectors: far above the rounding of their product.
 constexpr double kRounding = 1e-14;
-/// Angles beyond rounding by less than this are none.
+/// Radians: an angle must exceed its rounding by at least this much to count.
 constexpr double kAngle = 1e-12;
 
-/// The corners of both, those at one place first and in the same order.
+/// The corners of two triangles; corners at equal positions come first, in the same order.
 struct TrianglePair {
   PointTriangle s, t;
   std::size_t shared = 0;
@@ -32,7 +32,7 @@ struct TrianglePair {
   }
 };
 
-/// Of a triangle's corners along an axis.
+/// The range of a triangle's corners along an axis.
 struct Interval {
   double low, high;
   Interval(const Point& axis, const Point& origin, const PointTriangle& t) {
@@ -43,7 +43,7 @@ struct Interval {
   }
 };
 
-/// Whether a plane parts two triangles without common corners.
+/// Whether a plane separates two triangles without common corners.
 class Separation {
  public:
   Separation(const PointTriangle& s, const PointTriangle& t) : s_(s), t_(t) {
@@ -65,7 +65,7 @@ class Separation {
         if (across(a.cross(b))) return true;
       }
     }
-    // Where both lie in one plane.
+    // Axes for two triangles in one plane.
     return std::any_of(e.begin(), e.end(), [&](const Point& a) { return across(m.cross(a)); }) ||
            std::any_of(f.begin(), f.end(), [&](const Point& b) { return across(n.cross(b)); });
   }
@@ -82,8 +82,8 @@ class Separation {
   double reach_ = 0;
 };
 
-/// Whether a plane through the common corner parts the rest of two triangles. They are cones there,
-/// so that directions are enough.
+/// Whether a plane through the common corner separates the rest of two triangles. Each triangle
+/// lies in the cone of its sides at the corner, so directions suffice.
 class ConeSeparation {
  public:
   explicit ConeSeparation(const TrianglePair& pair) {
@@ -108,8 +108,8 @@ class ConeSeparation {
  private:
   using Two = std::array<Point, 2>;
 
-  /// The sign of a direction across a plane, 0 where in doubt; `axis` comes from vectors of length
-  /// 1 by a product that has lost accuracy as `width` says.
+  /// The side of the plane with normal `axis` on which a direction lies: 1, -1, or 0 in doubt.
+  /// `axis` comes from a product of unit vectors that has lost accuracy by a factor 1 / `width`.
   static int side(const Point& axis, double width, const Point& direction) {
     const double length = axis.norm();
     if (!(length > 0 && width > 0)) return 0;
@@ -117,8 +117,8 @@ class ConeSeparation {
     const double doubt = kAngle + kRounding / width;
     return slope > doubt ? 1 : slope < -doubt ? -1 : 0;
   }
-  /// One triangle lies in the plane, the other on one side of it; a side of that may lie in the
-  /// plane beside the one.
+  /// Whether the plane of the triangle `flat` separates. The other triangle lies on one side of the
+  /// plane; a side of the other triangle may lie in the plane, outside `flat`.
   static bool over(const Two& flat, const Point& normal, const Two& other) {
     const int a = side(normal, normal.norm(), other[0]), b = side(normal, normal.norm(), other[1]);
     if (a != 0 && b != 0) return a == b;
@@ -131,13 +131,14 @@ class ConeSeparation {
     }
     return false;
   }
-  /// A side of each lies in the plane, in different directions.
+  /// Whether the plane through a side of each triangle separates; `p` and `q` are the other sides.
   static bool through(const Point& axis, const Point& p, const Point& q) {
     const int a = side(axis, axis.norm(), p);
     return a != 0 && a == -side(axis, axis.norm(), q);
   }
-  /// A side of one lies in the plane, the rest of it on one side and the other on the other; a side
-  /// of that may go on from this one, straight on.
+  /// Whether the plane through the side `flat`, perpendicular to its triangle, separates: `own`,
+  /// the other side of the triangle, lies on one side of the plane and the other triangle beyond
+  /// it. A side of the other triangle may lie in the plane if it points away from `flat`.
   static bool beside(const Point& normal, const Point& flat, const Point& own, const Two& other) {
     const Point axis = normal.cross(flat);
     const int a = side(axis, normal.norm(), own);
@@ -154,7 +155,7 @@ class ConeSeparation {
   Two p_, q_;
 };
 
-/// Whether two triangles at a common side do not fold onto each other.
+/// Whether two triangles with a common side do not fold onto each other.
 bool fold_apart(const TrianglePair& pair) {
   const Point along = (pair.s[1] - pair.s[0]).normalized();
   const Point p = pair.s[2] - pair.s[0], q = pair.t[2] - pair.t[0];
@@ -166,8 +167,9 @@ bool fold_apart(const TrianglePair& pair) {
   return a.dot(b) < -doubt || a.cross(b).norm() > doubt;
 }
 
-/// Where a segment goes through a triangle: how far its ends are from the plane, and the place from
-/// the sides; zeros where it does not.
+/// The place where a segment pierces a triangle: the distances of the ends of the segment from the
+/// plane, and of the place from the nearest side. All zero if the segment does not pierce the
+/// triangle.
 struct Piercing {
   double before = 0, after = 0, inside = 0;
 

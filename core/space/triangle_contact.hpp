@@ -1,4 +1,4 @@
-// Triangle contacts are where two triangles in space meet.
+// The contact of two triangles in space: whether they are apart, and how deep they cross.
 #pragma once
 
 #include <array>
@@ -9,20 +9,21 @@ namespace talweg {
 
 using PointTriangle = std::array<Point, 3>;
 
-/// Whether two triangles have nothing in common but corners at the same places, and the side
-/// between two of these. Only where rounding leaves no doubt, so false is said of some that almost
-/// touch, or almost fold onto each other; of triangles without a width, too.
+/// Whether two triangles have nothing in common but corners at equal positions and the side between
+/// two of these. True only if rounding leaves no doubt: false for some triangles that almost touch
+/// or almost fold onto each other, and for some triangles without a width.
 bool certainly_apart(const PointTriangle& s, const PointTriangle& t);
 
-/// How far the segment from p to q goes through a triangle, measured by how little it would have to
-/// move to be free: the least distance of its ends from the plane and of the place where it pierces
-/// from the sides. 0 where it does not.
+/// The depth to which the segment from p to q pierces a triangle: the smallest move that would free
+/// the segment. The depth is the least distance of the ends from the plane and of the piercing
+/// point from the sides. 0 if the segment does not pierce the triangle.
 double piercing_depth(const Point& p, const Point& q, const PointTriangle& t);
 
-/// The largest piercing_depth() of a side of one in the other.
+/// The largest piercing_depth() of a side of one triangle in the other.
 double crossing_depth(const PointTriangle& s, const PointTriangle& t);
 
-/// The same by the farther end of the side: how much of it is there, not how little it would take.
+/// Like crossing_depth(), with the farther end of the side in place of the nearer end: how far the
+/// triangles extend beyond each other, not how little would free them.
 double crossing_reach(const PointTriangle& s, const PointTriangle& t);
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// A curve file is made for one test and gone after it.
+// Curve files for tests are written to a temporary folder and read back.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@
 
 namespace talweg::test {
 
-/// A test with a directory of its own.
+/// A test with its own temporary folder.
 class CurveFiles : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -47,7 +47,7 @@ class CurveFiles : public ::testing::Test {
     return read_curves(path(name), bytes);
   }
 
-  /// The sentence of the one error that a malformed file must give.
+  /// The message of the Error(kBadFile) that reading a malformed file must throw.
   std::string refusal(const std::string& name, std::string_view bytes) const {
     const std::filesystem::path file = path(name);
     try {
@@ -64,7 +64,7 @@ class CurveFiles : public ::testing::Test {
     return {};
   }
 
-  /// Refused with a message that has all these parts.
+  /// Expects an error whose message has all these parts.
   void expect_refused(const std::string& name, std::string_view bytes,
                       const std::vector<std::string>& parts) const {
     const std::string message = refusal(name, bytes);
@@ -73,7 +73,7 @@ class CurveFiles : public ::testing::Test {
     }
   }
 
-  /// Every file that ends too early is refused or still holds curves; nothing else may happen.
+  /// Reads every prefix of a file. Reading must throw an Error or return curves.
   void try_every_prefix(const std::string& name, std::string_view bytes) const {
     for (std::size_t n = 1; n < bytes.size(); ++n) {
       try {
@@ -84,7 +84,8 @@ class CurveFiles : public ::testing::Test {
     }
   }
 
-  /// The same for bytes that changed at random.
+  /// Reads copies of a file with bytes changed at random. Reading must throw an Error or return
+  /// curves.
   void try_damaged(const std::string& name, std::string_view bytes, int rounds) const {
     std::mt19937 random(7);
     for (int round = 0; round < rounds; ++round) {
@@ -123,7 +124,7 @@ inline SurfaceMesh odd_sphere() {
   return SurfaceMesh::open(lists);
 }
 
-/// Closed: around vertex 0 on the edges to its neighbours, at no two equal fractions.
+/// A closed curve around vertex 0, on the edges to its neighbours, at different fractions.
 inline SurfaceCurve ring(const SurfaceMesh& mesh) {
   const Surface& surface = mesh.surface();
   SurfaceCurve curve{true, {}};
@@ -137,7 +138,7 @@ inline SurfaceCurve ring(const SurfaceMesh& mesh) {
   return curve;
 }
 
-/// Open: from inside a face over one of its sides and one of its corners on along an edge.
+/// An open curve from inside a face over a side and a corner of the face, then along an edge.
 inline SurfaceCurve walk(const SurfaceMesh& mesh) {
   const Surface& surface = mesh.surface();
   const FaceId face{17};
@@ -151,7 +152,7 @@ inline SurfaceCurve walk(const SurfaceMesh& mesh) {
   return curve;
 }
 
-/// Open: along mesh vertices.
+/// An open curve along mesh vertices.
 inline SurfaceCurve vertex_walk(const SurfaceMesh& mesh, std::size_t first, std::size_t steps) {
   const Surface& surface = mesh.surface();
   SurfaceCurve curve;

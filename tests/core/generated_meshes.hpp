@@ -1,4 +1,4 @@
-// Generated meshes have a known topology, and any defect that a mesh can have.
+// Generated meshes have a known topology, and planted defects.
 #pragma once
 
 #include <cmath>
@@ -38,7 +38,7 @@ inline MeshLists tube(std::uint32_t columns, std::uint32_t rows, double height) 
   return lists;
 }
 
-/// Radii 3 and 1; columns · rows vertices, genus 1.
+/// A torus of radii 3 and 1: columns · rows vertices, genus 1.
 inline MeshLists torus(std::uint32_t columns, std::uint32_t rows) {
   MeshLists lists;
   for (std::uint32_t j = 0; j < rows; ++j) {
@@ -93,7 +93,7 @@ inline MeshLists together(MeshLists first, const MeshLists& second, double dx) {
   return first;
 }
 
-// Planters. Each takes a mesh and gives it one defect.
+// Planters: each function adds one defect to a mesh.
 
 inline MeshLists with_index_out_of_range(MeshLists lists, std::size_t face) {
   lists.triangles[face][1] = static_cast<std::uint32_t>(lists.points.size());
@@ -103,19 +103,19 @@ inline MeshLists with_coordinate(MeshLists lists, std::size_t vertex, double val
   lists.points[vertex].y() = value;
   return lists;
 }
-/// The last face, which names one of its vertices twice.
+/// Adds a face that names one of its vertices twice.
 inline MeshLists with_repeated_vertex(MeshLists lists) {
   const Triangle t = lists.triangles.front();
   lists.triangles.push_back({t[0], t[1], t[1]});
   return lists;
 }
-/// A copy of a face at the end, begun at its second corner, or facing the other way.
+/// Adds a copy of a face: begun at its second corner, or reversed.
 inline MeshLists with_duplicate_face(MeshLists lists, std::size_t face, bool reversed) {
   const Triangle t = lists.triangles[face];
   lists.triangles.push_back(reversed ? Triangle{t[2], t[1], t[0]} : Triangle{t[1], t[2], t[0]});
   return lists;
 }
-/// A fin: the last face stands on the first side of `face` with a new vertex.
+/// Adds a fin: a face on the first side of `face`, with a new vertex.
 inline MeshLists with_fin(MeshLists lists, std::size_t face) {
   const Triangle t = lists.triangles[face];
   const auto tip = static_cast<std::uint32_t>(lists.points.size());
@@ -127,7 +127,7 @@ inline MeshLists with_turned_face(MeshLists lists, std::size_t face) {
   std::swap(lists.triangles[face][1], lists.triangles[face][2]);
   return lists;
 }
-/// Two copies that share one vertex of each: a bow-tie.
+/// Joins two copies of a mesh at one vertex: a bow-tie.
 inline MeshLists with_bow_tie(const MeshLists& lists, std::uint32_t shared) {
   const auto shift = static_cast<std::uint32_t>(lists.points.size());
   MeshLists both = together(lists, lists, 100);
@@ -136,7 +136,7 @@ inline MeshLists with_bow_tie(const MeshLists& lists, std::uint32_t shared) {
   }
   return both;  // vertex shared + shift is isolated now
 }
-/// A cap of zero area along the first side of `face`, which must be on the boundary.
+/// Adds a cap of zero area along the first side of `face`, which must be on the boundary.
 inline MeshLists with_zero_area_face(MeshLists lists, std::size_t face) {
   const Triangle t = lists.triangles[face];
   const auto middle = static_cast<std::uint32_t>(lists.points.size());
@@ -144,7 +144,7 @@ inline MeshLists with_zero_area_face(MeshLists lists, std::size_t face) {
   lists.triangles.push_back({t[1], t[0], middle});
   return lists;
 }
-/// The same with the new vertex moved off by `height`: a needle.
+/// Adds a needle: the cap of with_zero_area_face() with its new vertex moved by `height`.
 inline MeshLists with_needle(MeshLists lists, std::size_t face, const Point& height) {
   lists = with_zero_area_face(std::move(lists), face);
   lists.points.back() += height;

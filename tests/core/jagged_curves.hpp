@@ -1,4 +1,4 @@
-// Jagged curves are drawings, measured here without the report.
+// Jagged curves are drawings along edges, with measures that do not use the report.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace talweg::test {
 
-/// An edge path through the vertices that lie nearest to these points.
+/// An edge path through the vertices nearest to these points.
 inline SurfaceCurve drawn_near(const SurfaceMesh& mesh, std::span<const Point> points,
                                bool closed) {
   std::vector<VertexId> way;
@@ -42,7 +42,7 @@ inline std::vector<Point> circle(const Point& centre, const Point& right, const 
   return points;
 }
 
-/// A sheet of (size x size) squares with hills, and no two ways of the same length.
+/// A sheet of (size x size) squares with hills, on which no two paths have the same length.
 inline MeshLists hills(std::uint32_t size) {
   MeshLists lists = grid(size, size);
   for (Point& p : lists.points) {
@@ -60,7 +60,7 @@ inline SurfaceCurve wave_on_hills(const SurfaceMesh& mesh) {
   return vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), ids(way)), false);
 }
 
-/// The largest distance along the surface in either direction.
+/// The largest distance along the surface, in both directions.
 inline double apart(const SurfaceMesh& mesh, std::span<const SurfaceCurve> a,
                     std::span<const SurfaceCurve> b) {
   return DeviationMeter(mesh).measure(a, b).larger().max;
@@ -81,7 +81,7 @@ inline SurfaceCurve jagged_circle(const SurfaceMesh& mesh, std::uint32_t columns
   return vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), way, true), true);
 }
 
-/// Straight lines through these positions, put on the mesh.
+/// A curve of straight lines through these positions, snapped to the mesh.
 inline SurfaceCurve straight_through(const SurfaceMesh& mesh, std::vector<Point> points,
                                      bool closed) {
   const CurveInput input{closed, std::move(points), {}};
@@ -98,7 +98,7 @@ inline std::vector<Point> twice_around() {
   return points;
 }
 
-/// Along rows and columns of the vertices of a square grid, from one corner to the next.
+/// A path along rows and columns of a square grid, from each corner to the next.
 inline std::vector<VertexId> along_grid(std::uint32_t columns,
                                         const std::vector<std::array<std::uint32_t, 2>>& corners) {
   std::vector<VertexId> way;
@@ -115,8 +115,8 @@ inline std::vector<VertexId> along_grid(std::uint32_t columns,
   return way;
 }
 
-/// On a grid of this many columns: runs of `run` to the right, with steps of `step` up and down in
-/// between.
+/// A square wave on a grid: runs of `run` edges to the right, with steps of `step` edges up and
+/// down in between.
 inline SurfaceCurve square_wave(const Surface& surface, std::uint32_t columns, std::uint32_t run,
                                 std::uint32_t step) {
   const auto at = [&](std::uint32_t i, std::uint32_t j) { return VertexId{j * (columns + 1) + i}; };

@@ -1,4 +1,4 @@
-// Label parts are the connected parts of regions, and how their borders meet.
+// Label parts are the connected parts of regions, and the degrees of the nodes of their borders.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace talweg::test {
 
 using Labels = std::vector<std::int64_t>;
 
-/// How many parts each label has, of faces that have an edge in common.
+/// The number of parts of each label. Faces of one label that share an edge are one part.
 inline std::map<std::int64_t, std::size_t> parts(const MeshLists& lists, const Labels& labels) {
   UnionFind sets(labels.size());
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> at;
@@ -32,7 +32,7 @@ inline std::map<std::int64_t, std::size_t> parts(const MeshLists& lists, const L
   return count;
 }
 
-/// The same of vertices that have faces.
+/// The number of parts of each label per vertex, without isolated vertices.
 inline std::map<std::int64_t, std::size_t> parts_of_vertices(const Surface& surface,
                                                              const Labels& labels) {
   UnionFind sets(labels.size());
@@ -49,7 +49,7 @@ inline std::map<std::int64_t, std::size_t> parts_of_vertices(const Surface& surf
   return count;
 }
 
-/// How many edges between different labels meet at each point where there are not two of them.
+/// The number of edges between different labels at each vertex where this number is not two.
 inline std::multiset<std::size_t> degrees(const MeshLists& lists, const Labels& labels) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::int64_t> other;
   std::map<std::uint32_t, std::size_t> meeting;

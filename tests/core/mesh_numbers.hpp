@@ -1,4 +1,4 @@
-// Mesh numbers are what must not change when a mesh is cut.
+// Mesh numbers are the numbers that a cut must not change.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ inline double volume(const MeshLists& lists) {
   return sum;
 }
 
-/// Euler's characteristic.
+/// The Euler characteristic.
 inline std::int64_t euler(const Surface& surface) {
   return static_cast<std::int64_t>(surface.vertex_count()) -
          static_cast<std::int64_t>(surface.edge_count()) +

@@ -1,4 +1,4 @@
-// A sound network is what every smoothed network of borders must be.
+// The properties of every smoothed network of borders.
 #pragma once
 
 #include <utility>
@@ -14,7 +14,7 @@
 
 namespace talweg::test {
 
-/// What holds of every result, whatever was asked for.
+/// Expects the properties that hold for all options.
 inline void expect_sound(const MeshLists& lists, const OpenedMesh& mesh, const Labels& labels,
                          const LabelNetwork& network) {
   const Surface& surface = mesh.surface();
@@ -23,7 +23,7 @@ inline void expect_sound(const MeshLists& lists, const OpenedMesh& mesh, const L
   for (const LabelBorder& border : label_borders(surface, labels)) drawn.push_back(border.curve);
   ASSERT_EQ(curves.size(), drawn.size());
   EXPECT_TRUE(crossing_curves(surface, curves).empty());
-  // Borders that met still meet; where nothing was said of moving they meet where they did.
+  // Borders that met still meet; at the same point if no node was moved.
   std::vector<std::pair<SurfacePoint, SurfacePoint>> nodes;
   const auto expect_same_node = [&](const SurfacePoint& before, const SurfacePoint& now) {
     if (network.moved == 0) {
@@ -63,7 +63,8 @@ inline void expect_sound(const MeshLists& lists, const OpenedMesh& mesh, const L
   EXPECT_NO_THROW(SurfaceMesh::open(network.cut.lists));
 }
 
-/// The meter promises 1e-3 of the distance or of a mean segment.
+/// Expects borders within the bound. The meter is exact up to 1e-3 of the distance or of a mean
+/// edge.
 inline void expect_within(const OpenedMesh& mesh, const Labels& labels, const LabelNetwork& network,
                           double bound) {
   const auto drawn = label_borders(mesh.surface(), labels);

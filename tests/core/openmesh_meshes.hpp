@@ -1,4 +1,4 @@
-// Meshes of OpenMesh, with properties of every kind, to be changed in place.
+// OpenMesh meshes with properties of every kind, for changes in place.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace talweg::test {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;  // the normals stay float
+  using Point = OpenMesh::Vec3d;  // normals stay float
 };
 using FloatMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 using DoubleMesh = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
@@ -54,7 +54,7 @@ void request_status(Mesh& mesh) {
   mesh.request_face_status();
 }
 
-/// Deletes some vertices with their faces so that what is left is a surface; nothing is collected.
+/// Deletes some vertices and their faces such that the rest is a surface. Garbage is not collected.
 template <class Mesh>
 void delete_some(Mesh& mesh, std::mt19937& random, int count) {
   request_status(mesh);
@@ -65,13 +65,13 @@ void delete_some(Mesh& mesh, std::mt19937& random, int count) {
     try {
       static_cast<void>(surface_of(tried));
     } catch (const Error&) {
-      continue;  // a vertex would have two fans
+      continue;  // a vertex with two fans
     }
     mesh = tried;
   }
 }
 
-/// Properties of a caller's own, of numbers and of text, for each kind of element.
+/// The caller's own properties, numbers and text, for each kind of element.
 struct OwnProperties {
   OpenMesh::VPropHandleT<int> v_number;
   OpenMesh::HPropHandleT<int> h_number;
@@ -122,8 +122,7 @@ void add_attributes(Mesh& mesh, std::mt19937& random) {
   for (const auto f : mesh.all_faces()) mesh.set_color(f, {byte(), byte(), byte()});
 }
 
-/// Everything that a mesh is, element by element, as text: equal texts are equal meshes, bit for
-/// bit.
+/// All data of a mesh, element by element, as text. Equal texts mean bitwise equal meshes.
 template <class Mesh>
 struct Written {
   std::vector<std::string> vertices, halfedges, edges, faces;
@@ -190,7 +189,8 @@ inline SurfaceCurve random_curve(const SurfaceMesh& mesh, std::mt19937& random, 
   }
   return StraightLines(surface).join(points, closed);
 }
-/// Some of them, as many as can be drawn: two points may be the same or of different components.
+/// One to three random curves. Curves that cannot be drawn are left out: two points may be equal or
+/// in different components.
 inline std::vector<SurfaceCurve> random_curves(const SurfaceMesh& mesh, std::mt19937& random) {
   std::vector<SurfaceCurve> curves;
   const std::size_t count = 1 + random() % 3;

@@ -1,4 +1,4 @@
-// The reference curves are on real meshes, and absent where those are: see TALWEG_MESHES.
+// Reference curves on real meshes; tests are skipped without the meshes (TALWEG_MESHES).
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 
 namespace talweg::test {
 
-/// Where the real meshes are; the reference data lies beside that folder.
+/// The folder of the real meshes; the reference data lie beside it.
 inline std::filesystem::path mesh_folder() {
   if (const char* given = std::getenv("TALWEG_MESHES")) return given;
   return std::filesystem::path(source_folder()).parent_path() / "shared" / "meshes";
@@ -28,7 +28,7 @@ inline std::filesystem::path mesh_folder() {
 inline std::filesystem::path reference_folder() {
   return (mesh_folder() / "..").lexically_normal() / "reference";
 }
-/// Why a test that needs it does not run.
+/// The message of a skipped test.
 inline std::string missing(const std::string& name) {
   return "skipped: no " + name + " in " + mesh_folder().string() +
          " or its ../reference (set TALWEG_MESHES)";
@@ -72,7 +72,7 @@ inline MeshLists read_reference_mesh(const std::filesystem::path& file) {
 
 struct ReferenceCurve {
   SurfaceMesh mesh;
-  std::vector<VertexId> path;  ///< of the drawn curve; a closed one does not repeat its first
+  std::vector<VertexId> path;  ///< of the drawn curve; a closed curve repeats no vertex
   bool closed = false;
 };
 
@@ -87,8 +87,8 @@ inline std::optional<ReferenceCurve> reference_curve(const std::string& name) {
   return curve;
 }
 
-/// The points of the reference's result for tau = 1; its files repeat the first point of a closed
-/// curve at the end, this does not.
+/// The points of the reference result for tau = 1. A closed curve does not repeat its first point
+/// here, but does in the file.
 inline std::vector<Point> reference_result(const std::string& name) {
   std::ifstream in(reference_folder() / "results" / (name + "_tau1.xyz"));
   std::vector<Point> points;
@@ -97,8 +97,8 @@ inline std::vector<Point> reference_result(const std::string& name) {
   return points;
 }
 
-/// The same as a curve on the mesh: every point on the edge or vertex nearest to it. The largest
-/// distance that a point was moved goes to `moved`.
+/// The reference result as a curve on the mesh: every point is moved to the nearest edge or vertex.
+/// `moved` gets the largest distance of a move.
 inline SurfaceCurve reference_result_curve(const ReferenceCurve& drawn, const std::string& name,
                                            double& moved) {
   const Surface& surface = drawn.mesh.surface();
@@ -135,7 +135,7 @@ inline SurfaceCurve reference_result_curve(const ReferenceCurve& drawn, const st
   return curve;
 }
 
-/// What the reference measured with the paper's potential.
+/// The measures of the reference result with the paper's potential.
 inline nlohmann::json reference_numbers(const std::string& name, double tau) {
   std::ifstream in(reference_folder() / "paper_potential.json");
   for (const auto& entry : nlohmann::json::parse(in)) {

@@ -1,4 +1,4 @@
-// Rough meshes are smooth ones with noise along their normals.
+// Rough meshes are smooth meshes with noise along their normals.
 #pragma once
 
 #include <random>
@@ -8,7 +8,7 @@
 
 namespace talweg::test {
 
-/// Each vertex is moved along the normal of the faces around it by a normal deviate of this
+/// Moves each vertex along the normal of its faces by a normally distributed distance with this
 /// standard deviation, mesh units.
 inline MeshLists roughened(MeshLists lists, double deviation, unsigned seed = 1) {
   std::vector<Point> normals(lists.points.size(), Point::Zero());

@@ -1,4 +1,4 @@
-// Small meshes have a known geometry, and curves on them.
+// Small meshes of known geometry, and points and curves on them.
 #pragma once
 
 #include <cmath>
@@ -29,8 +29,9 @@ inline MeshLists grid(std::uint32_t columns, std::uint32_t rows) {
   return lists;
 }
 
-/// A fan of `count` isosceles triangles with legs of length 1 about vertex 0, in the lengths only:
-/// total angle `cone` (radians); closed to a disc, or open with vertex 0 on the boundary.
+/// A fan of `count` isosceles triangles with legs of length 1 around vertex 0, given by lengths
+/// only. The total angle is `cone` (radians). The fan is closed to a disc, or open with vertex 0 on
+/// the boundary.
 inline Surface fan(std::uint32_t count, double cone, bool closed) {
   std::vector<Triangle> triangles;
   for (std::uint32_t k = 0; k < count; ++k) {
@@ -78,7 +79,7 @@ inline MeshLists sphere(int levels) {
   return lists;
 }
 
-/// The surface of a mesh that needs no checks.
+/// The surface of mesh lists without checks.
 inline Surface surface_of_lists(const MeshLists& lists) {
   Surface surface = Surface::from_triangles(lists.points.size(), lists.triangles);
   std::vector<double> lengths(surface.edge_count());

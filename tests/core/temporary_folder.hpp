@@ -1,4 +1,4 @@
-// A temporary folder lives as long as a test.
+// A temporary folder, removed at the end of a test.
 #pragma once
 
 #include <filesystem>

@@ -12,8 +12,8 @@
 
 namespace talweg::test {
 
-/// For each face the number, from 0, of the one of `count` random faces that is nearest by way of
-/// the middles of faces. Each region is connected; components without such a face get -1.
+/// The label of a face is the number, from 0, of the nearest of `count` random faces, by paths
+/// through the centers of faces. Each region is connected; components without such a face get -1.
 inline std::vector<std::int64_t> voronoi_labels(const SurfaceMesh& mesh, std::size_t count,
                                                 unsigned seed) {
   const Surface& surface = mesh.surface();
@@ -46,7 +46,7 @@ inline std::vector<std::int64_t> voronoi_labels(const SurfaceMesh& mesh, std::si
   return labels;
 }
 
-/// The same for vertices: each gets the label of its first face.
+/// Labels of vertices: each vertex gets the label of its first face.
 inline std::vector<std::int64_t> on_vertices(const Surface& surface,
                                              const std::vector<std::int64_t>& of_faces) {
   std::vector<std::int64_t> labels(surface.vertex_count(), -1);

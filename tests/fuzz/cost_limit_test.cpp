@@ -1,4 +1,5 @@
-// An input that runs too many blocks for its size must be found. This file's own blocks count.
+// An input that runs too many blocks for its size is aborted. The blocks of this file are counted,
+// too.
 #include "cost_limit.hpp"
 
 #include <gtest/gtest.h>
@@ -8,16 +9,16 @@
 namespace talweg::fuzz {
 namespace {
 
-/// At least one block each time.
+/// Runs at least this number of blocks.
 void spend(std::uint64_t blocks) {
   for (std::uint64_t k = 0; k < blocks; ++k) {
-    [[maybe_unused]] volatile std::uint64_t kept = k;  // or the loop would go
+    [[maybe_unused]] volatile std::uint64_t kept = k;  // keeps the loop from being removed
   }
 }
 
 TEST(CostLimitDeathTest, EndsAnInputAboveFiftyMediansOfItsSize) {
   const double median = 10;
-  const std::size_t size = 36;  // and 64 that all are given: 50'000 blocks
+  const std::size_t size = 36;  // plus an allowance of 64: 50'000 blocks
   EXPECT_DEATH(
       {
         const CostLimit limit(median, size);

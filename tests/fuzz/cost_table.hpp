@@ -1,5 +1,4 @@
-// A cost table has what the files of a corpus cost: their median, which CostLimit wants, and the
-// most.
+// A cost table has the median cost of the files of a corpus, for CostLimit, and the largest costs.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 
 namespace talweg::fuzz {
 
-/// Prints it. `blocks_of(data, size)` runs an input.
+/// Prints the table. `blocks_of(data, size)` runs an input.
 template <class Run>
 void print_costs(const std::vector<std::string>& files, const Run& blocks_of) {
   std::vector<std::pair<double, std::string>> costs;

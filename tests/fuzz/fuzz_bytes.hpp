@@ -1,4 +1,4 @@
-// Fuzz bytes become values, and what must hold whatever they are is checked here.
+// Fuzz bytes become values; require() checks promises on any input.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace talweg::fuzz {
 
-/// Takes values from the input; zeros when it has ended.
+/// Takes values from the input; zeros after its end.
 class Bytes {
  public:
   Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -24,7 +24,7 @@ class Bytes {
     left_ -= n;
     return value;
   }
-  /// Mostly below `bound`, sometimes anything.
+  /// A number mostly below `bound`, sometimes any.
   std::uint32_t index(std::uint32_t bound) {
     const auto value = take<std::uint16_t>();
     return value > 0xFF00 ? value * 65537U : value % bound;

@@ -1,6 +1,6 @@
-// A fuzz target is what bytes are given to. A target returns for good and for bad input alike; it
-// aborts where a promise is broken or an input is slow for its size, and the sanitizers where
-// memory is broken.
+// A fuzz target is a function that takes arbitrary bytes. A target returns for valid and invalid
+// input; it aborts on a broken promise or an input that is slow for its size. The sanitizers abort
+// on memory errors.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 namespace talweg::fuzz {
 
 struct Target {
-  std::string name;  ///< as of the folders with its inputs
+  std::string name;  ///< also the name of the folder of its inputs
   void (*run)(const Target& target, const std::uint8_t* data, std::size_t size);
   std::vector<std::string> (*seeds)(const Target& target);  ///< small inputs to start from
   std::string file;  ///< for readers: a name with the format's extension
-  double median;     ///< of the costs of its corpus: blocks per byte, see CostLimit
+  double median;     ///< median cost of its corpus: blocks per byte, see CostLimit
 };
 
-/// All but the plugin interface's, which needs plugins.
+/// All targets except the plugin interface, which needs plugins.
 const std::vector<Target>& targets();
-/// nullptr where there is none of this name.
+/// The target with a name; nullptr if there is none.
 const Target* target_named(std::string_view name);
-/// Gives the bytes to the target, within its CostLimit; the blocks that it ran.
+/// Runs the target on the bytes, within its CostLimit. Returns the number of blocks run.
 std::uint64_t run(const Target& target, const std::uint8_t* data, std::size_t size);
 
 void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t size);
@@ -38,7 +38,7 @@ void smooth(const Target& target, const std::uint8_t* data, std::size_t size);
 std::vector<std::string> mesh_seeds(const Target& target);
 std::vector<std::string> curve_seeds(const Target& target);
 std::vector<std::string> label_seeds(const Target& target);
-/// Random bytes, a few lengths.
+/// Random bytes of several lengths.
 std::vector<std::string> random_seeds(const Target& target);
 
 }  // namespace talweg::fuzz

@@ -1,4 +1,4 @@
-// Raw lists that may be anything: inspected, repaired, opened. Nothing goes missing untold.
+// Arbitrary raw lists: inspected, repaired, opened. Every change is reported.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -14,7 +14,7 @@
 namespace talweg::fuzz {
 namespace {
 
-/// The verdict is what opening does.
+/// The verdict of the inspection must agree with opening.
 void check_opening(const MeshLists& lists, const MeshInspection& found) {
   const bool usable = found.verdict == MeshVerdict::kUsable;
   require(!found.reason.empty() && found.reason.back() == '.', "a sentence");
@@ -82,7 +82,7 @@ void take_in(const Target& /*target*/, const std::uint8_t* data, std::size_t siz
       check_repair(lists, mended);
       const MeshInspection after = inspect(mended.lists);
       check_opening(mended.lists, after);
-      // Without faces that go, which changes what the others are joined to.
+      // The promise of repair excludes dropped faces, which change the neighbours of other faces.
       const bool promised = found.steps.find("drop") == std::string::npos && &how == &ways[2];
       require(!mendable || !promised || after.verdict == MeshVerdict::kUsable, "mends as promised");
     } catch (const Error& error) {

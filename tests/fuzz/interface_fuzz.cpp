@@ -1,5 +1,5 @@
-// Bytes as calls of the plugin interface: any order, any arguments that a host could give by
-// mistake. Whatever comes, there is a status, and what results is finite and in range.
+// Bytes become calls of the plugin interface: in any order, with any arguments that a host could
+// pass by mistake. Every call must return a status, and results must be finite and in range.
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -23,7 +23,7 @@ struct Mesh {
   std::vector<std::uint32_t> triangles;
 };
 
-/// A bumpy sheet, with a few bytes' worth of damage.
+/// A bumpy sheet, with some damaged numbers.
 Mesh mesh_from(Bytes& bytes) {
   const std::uint32_t n = 2 + bytes.take<std::uint8_t>() % 7;
   Mesh mesh;
@@ -45,7 +45,7 @@ Mesh mesh_from(Bytes& bytes) {
   return mesh;
 }
 
-/// A view that fits its data; its description may be wrong where that reads nothing out of bounds.
+/// A view of data, sometimes with a wrong description that reads nothing out of bounds.
 template <class T>
 talweg_array view_from(Bytes& bytes, const std::vector<T>& data, std::uint32_t columns) {
   talweg_array array = talweg::plugin::view(data.data(), data.size() / columns, columns);
@@ -74,11 +74,11 @@ talweg_array view_from(Bytes& bytes, const std::vector<T>& data, std::uint32_t c
   return array;
 }
 
-/// The sizes of the mesh that the instance has.
+/// The sizes of the mesh of the instance.
 struct Sizes {
   std::uint64_t vertices = 0, triangles = 0;
-  std::uint64_t made = 0;  // meshes of the run
-  // Of the mesh that is asked about.
+  std::uint64_t made = 0;  // number of meshes that the run made
+  // The sizes of the made mesh in question.
   std::uint64_t made_vertices = 0, made_triangles = 0;
 };
 Sizes& sizes_of(void* context) { return *static_cast<Sizes*>(context); }
@@ -199,7 +199,7 @@ void set_parameter(Bytes& bytes, const talweg_plugin& plugin, talweg_instance* i
   const std::uint8_t how = bytes.take<std::uint8_t>();
   double value = how < 128 ? bytes.take<std::uint8_t>() / 16.0 : bytes.take<double>();
   if (p.type == TALWEG_INTEGER && how < 200) value = std::floor(value);
-  if (p.type == TALWEG_INTEGER && value > 32) value = 32;  // not a matter of time
+  if (p.type == TALWEG_INTEGER && value > 32) value = 32;  // large values would only take time
   const std::uint64_t rows = p.type == TALWEG_TRIANGLE_FIELD ? sizes.triangles : sizes.vertices;
   std::vector<double> field(how % 8 == 0 ? 3 : rows, value);
   if (std::string_view(p.id).ends_with("_labels") && how % 8 != 0) {

@@ -1,4 +1,4 @@
-// libFuzzer's entry: TALWEG_FUZZ_TARGET names the target (fuzz_target.cpp).
+// The entry of libFuzzer: TALWEG_FUZZ_TARGET names the target (fuzz_target.cpp).
 #include <cstdio>
 #include <cstdlib>
 

@@ -1,4 +1,5 @@
-// Bytes as files. A reader gives what it promises or an Error(kBadFile) that names the file.
+// Bytes as files. A reader returns a result as documented, or throws an Error(kBadFile) that names
+// the file.
 #include <cmath>
 #include <string>
 #include <variant>
@@ -60,7 +61,7 @@ void read_mesh_bytes(const Target& target, const std::uint8_t* data, std::size_t
       require(p.corners > 3 && p.first + std::size_t{p.corners} - 2 <= lists.triangles.size(),
               "triangles of polygons");
     }
-    // Text has them where a face uses them.
+    // A vertex that a face uses has finite coordinates in a text file.
     const bool text = target.name == "mesh_obj";
     for (const Triangle& t : lists.triangles) {
       for (const std::uint32_t v : t) {
@@ -122,7 +123,8 @@ void read_click_bytes(const Target& target, const std::uint8_t* data, std::size_
 void read_label_bytes(const Target& target, const std::uint8_t* data, std::size_t size) {
   try {
     const LabelFile file = read_label_file(target.file, text_of(data, size), {"", 10});
-    // A polygon's label comes once for each triangle of its fan, a list's vertices are ten.
+    // The label of a polygon is repeated for each triangle of its fan; a .label file gives a label
+    // to each of ten vertices.
     require(file.labels.size() <= size + 10, "no more labels than bytes");
     for (const auto& [label, name] : file.names) {
       for (const char c : name) require(c >= ' ' && c <= '~', "printable names");

@@ -1,5 +1,5 @@
-// Without a fuzzer: files of the command line, and inputs of a simple generator, each a mesh, a
-// drawing and random calls after them.
+// Runs the interface without a fuzzer: on files of the command line, and on generated inputs of a
+// mesh, a drawing and random calls.
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   std::mt19937 random(7);
   for (int k = 0; k < count; ++k) {
     const auto byte = [&] { return static_cast<std::uint8_t>(random()); };
-    // The plugin, a sound mesh, a drawing along a row of it; then anything.
+    // The plugin, a valid mesh, a drawing along a row of the mesh; then arbitrary bytes.
     std::vector<std::uint8_t> bytes = {byte(), 0, 5, 0, 31, 31, 1, byte(), 5};
     for (int i = 0; i < 5; ++i) bytes.insert(bytes.end(), {9, byte(), byte(), byte()});
     bytes.insert(bytes.end(), {255, 1, 2, 31, 31, 0});

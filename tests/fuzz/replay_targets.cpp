@@ -1,6 +1,6 @@
-// fuzz_replay TARGET COUNT [FILE...]: without a fuzzer, the files, the target's seeds, and COUNT
-// changed copies of these. fuzz_replay --seeds TARGET FOLDER writes the seeds for libFuzzer.
-// fuzz_replay --costs TARGET FILE...: what the files cost.
+// fuzz_replay TARGET COUNT [FILE...] runs a target without a fuzzer: on the files, the seeds of the
+// target, and COUNT changed copies of these. fuzz_replay --seeds TARGET FOLDER writes the seeds for
+// libFuzzer. fuzz_replay --costs TARGET FILE... prints the costs of the files.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +21,7 @@ void run(const Target& target, const std::string& bytes) {
   run(target, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 
-/// A few changes such as hostile or broken files have.
+/// An input with a few changes like those of hostile or broken files.
 std::string changed(const Inputs& inputs, std::mt19937& random) {
   static const char* const kWords[] = {"-1", "4294967295", "1e999", "nan", "99999999999999999999",
                                        "\n", "\r",         " ",     "\0",  "\xff\xff\xff\xff"};

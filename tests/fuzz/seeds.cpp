@@ -1,4 +1,4 @@
-// One or two valid files of every format and encoding, small enough to be changed byte by byte.
+// One or two valid files of every format and encoding, small enough for changes byte by byte.
 #include <algorithm>
 #include <cstring>
 
@@ -85,7 +85,7 @@ std::string stl_binary() {
   return bytes;
 }
 
-/// A chunk's head: entity, type, bits of integers or floats.
+/// The head of a chunk: entity, type, bits of integers or floats.
 void put_chunk(std::string& bytes, unsigned entity, unsigned type, unsigned is_float,
                unsigned dimensions, unsigned code) {
   put(bytes, static_cast<std::uint16_t>(entity << 2U | type << 5U | is_float << 10U |
@@ -132,7 +132,7 @@ std::string off_binary() {
   return bytes;
 }
 
-/// The pyramid's sides with attributes, as we write them.
+/// The sides of the pyramid with attributes, from Talweg's writer.
 std::string written(const std::string& name) {
   MeshLists lists;
   for (const auto& p : kPoints) lists.points.emplace_back(p[0], p[1], p[2]);
@@ -226,7 +226,7 @@ std::string glb() {
   return bytes + data;
 }
 
-/// An archive with the model alone, stored.
+/// An archive with only the model, stored.
 std::string three_mf() {
   const std::string name = "3D/3dmodel.model";
   const std::string model =
@@ -249,7 +249,7 @@ std::string three_mf() {
   const auto at = static_cast<std::uint32_t>(bytes.size());
   bytes += std::string("PK\1\2\x14\0\x14\0", 8);
   head(bytes);
-  bytes += std::string(14, '\0') + name;  // the file is at the beginning
+  bytes += std::string(14, '\0') + name;  // the offset of the file is 0
   const auto length = static_cast<std::uint32_t>(bytes.size()) - at;
   bytes += std::string("PK\5\6\0\0\0\0\1\0\1\0", 12);
   put(bytes, length);
@@ -267,7 +267,7 @@ std::vector<PlacedCurve> two_curves() {
       curve.faces.push_back({FaceId{k}, {0.5, 0.25, 0.25}});
       curve.vertices.emplace_back(k + (closed ? 4 : 0));
     }
-    if (closed) curve.exact = {0, 0.25, -2};  // a click, one with a tolerance, a painted point
+    if (closed) curve.exact = {0, 0.25, -2};  // a click, an inexact click, a painted point
     curves.push_back(curve);
   }
   return curves;
@@ -289,7 +289,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// An array as VTK stores it: the size and the data, or packed in one block.
+/// An array in the encoding of VTK: the size and the data, or one packed block.
 std::string vtk_block(const std::string& data, bool packed) {
   std::string head;
   if (!packed) {
@@ -322,7 +322,7 @@ std::string vtp(int how) {
       appended += block;
       return text;
     }
-    // VTK encodes the head and the data apart.
+    // VTK encodes the head and the data separately.
     const std::size_t head = how == 2 ? 16 : 4;
     return text + " format=\"binary\">" + base64(block.substr(0, head)) +
            base64(block.substr(head)) + "</DataArray>";
@@ -379,7 +379,7 @@ std::string gifti_text() {
   return "<GIFTI>" + gifti_array("POINTSET", "FLOAT32", "4", "ASCII", "0 0 0 1 0 0 0 1 0 0 0 1.5") +
          gifti_array("TRIANGLE", "INT32", "2", "ASCII", "0 2 1 0 1 3") + "</GIFTI>";
 }
-/// The first array is plain base64, the second one packed by zlib.
+/// The first array is plain base64, the second is packed by zlib.
 std::string gifti_packed() {
   return "<GIFTI>" +
          gifti_array("POINTSET", "FLOAT32", "4", "Base64Binary",

@@ -6,7 +6,7 @@
 namespace talweg::fuzz {
 namespace {
 
-/// (n + 1) x (n + 1) vertices; `around` and `across` glue opposite sides: tube, torus.
+/// A sheet of (n + 1) x (n + 1) vertices; `around` and `across` glue opposite sides: tube, torus.
 MeshLists sheet(std::uint32_t n, bool around, bool across) {
   MeshLists lists;
   const std::uint32_t columns = around ? n : n + 1, rows = across ? n : n + 1;
@@ -77,7 +77,7 @@ MeshLists clean(Bytes& bytes, bool any) {
   }
 }
 
-/// Moves a vertex: a little, onto another one, far away, to the size of rounding.
+/// Moves a vertex: slightly, onto another vertex, far away, or by the size of rounding.
 void move(Bytes& bytes, MeshLists& lists, bool any) {
   Point& p = lists.points[bytes.take<std::uint8_t>() % lists.points.size()];
   const Point& q = lists.points[bytes.take<std::uint8_t>() % lists.points.size()];
@@ -117,11 +117,11 @@ void damage_face(Bytes& bytes, MeshLists& lists) {
       t = lists.triangles.back();
       lists.triangles.pop_back();
       break;
-    case 4:  // its own copy of a corner: a crack with a duplicate position
+    case 4:  // a copy of a corner: a crack with a duplicate position
       lists.points.push_back(Point(lists.points[t[0] % n]));
       t[0] = n;
       break;
-    case 5:  // a face that stands on an edge
+    case 5:  // a fin: a face on an edge
       lists.points.emplace_back(0.5, 0.5, 2);
       lists.triangles.push_back({t[0], t[1], n});
       break;

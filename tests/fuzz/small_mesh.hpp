@@ -1,4 +1,4 @@
-// Small meshes are made of bytes: sheets, tubes, closed surfaces, soups, with damage.
+// Small meshes from bytes: sheets, tubes, closed surfaces, soups, with damage.
 #pragma once
 
 #include "fuzz_bytes.hpp"
@@ -6,8 +6,9 @@
 
 namespace talweg::fuzz {
 
-/// At most 64 vertices and 128 faces. `damage` is how much may be wrong: 0 nothing but the shape
-/// (flat faces, needles, vertices in one place), 255 anything.
+/// At most 64 vertices and 128 faces. `damage` from 0 to 255 is the amount of defects: at 0 only
+/// the shape is bad (flat faces, needles, vertices at one position), at 255 everything may be
+/// wrong.
 MeshLists small_mesh(Bytes& bytes, std::uint8_t damage);
 
 }  // namespace talweg::fuzz

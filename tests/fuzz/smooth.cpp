@@ -52,8 +52,8 @@ CurveInput drawing(Bytes& bytes, const SurfaceMesh& mesh) {
   return curve;
 }
 
-/// Some points of the drawing as clicks, with a tolerance or without, or painted; none where the
-/// bytes have ended.
+/// Marks some points of the drawing as clicks, with or without a tolerance, or as painted; none
+/// after the end of the bytes.
 void mark(Bytes& bytes, const SurfaceMesh& mesh, const SnappedCurve& snapped, CurveOptions& how) {
   for (const SurfacePoint& point : snapped.points) {
     const std::uint8_t kind = bytes.take<std::uint8_t>() % 8;

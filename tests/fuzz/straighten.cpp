@@ -1,5 +1,5 @@
-// FlipOut on random Delta-complexes: faces glued at random, also to themselves, with random
-// lengths.
+// FlipOut on random Delta-complexes: faces with random lengths, glued at random, also to
+// themselves.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,7 +16,8 @@
 namespace talweg::fuzz {
 namespace {
 
-/// Corners that the glued sides put in one place are one vertex, so every vertex has one fan.
+/// A surface of glued faces. Corners joined by glued sides are one vertex, so every vertex has one
+/// fan.
 Surface glued(Bytes& bytes) {
   const std::uint32_t faces = 1 + bytes.take<std::uint8_t>() % 12;
   std::vector<std::uint32_t> gluing(3 * faces, Surface::kNoSide), open(3 * faces);
@@ -32,7 +33,7 @@ Surface glued(Bytes& bytes) {
     const std::uint32_t a = open.back();
     open.pop_back();
     const std::uint8_t pick = bytes.take<std::uint8_t>();
-    if (pick >= 240) continue;  // a boundary
+    if (pick >= 240) continue;  // the side stays on the boundary
     const std::size_t k = pick % open.size();
     const std::uint32_t b = open[k];
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(k));
@@ -52,14 +53,15 @@ Surface glued(Bytes& bytes) {
   return Surface::from_gluing(vertices, triangles, gluing);
 }
 
-/// Mostly triangles, also flat ones and needles, now and then none at all.
+/// Sets lengths: mostly valid triangles, also flat ones and needles, sometimes lengths of no
+/// triangle.
 void set_lengths(Bytes& bytes, Surface& surface) {
   const std::uint8_t how = bytes.take<std::uint8_t>();
   std::vector<double> lengths(surface.edge_count());
   for (double& length : lengths) {
     const std::uint8_t value = bytes.take<std::uint8_t>();
-    length = how % 4 == 0 ? 1 + value / 8 % 2                           // many are flat
-                          : 1 + value / (how % 4 == 1 ? 256.0 : 64.0);  // or no triangle
+    length = how % 4 == 0 ? 1 + value / 8 % 2                           // many triangles are flat
+                          : 1 + value / (how % 4 == 1 ? 256.0 : 64.0);  // or invalid triangles
     if (how >= 224 && value % 16 == 0) length = std::ldexp(length, -(value / 4));
   }
   surface.set_lengths(lengths);

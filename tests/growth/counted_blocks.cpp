@@ -11,7 +11,7 @@ thread_local void (*at_end)() = nullptr;
 #define TALWEG_BLOCK_CALLBACK __sanitizer_cov_trace_pc
 #endif
 
-/// Called at the begin of each basic block of what is compiled with -fsanitize-coverage=trace-pc.
+/// Called at the beginning of each basic block of code compiled with -fsanitize-coverage=trace-pc.
 extern "C" void TALWEG_BLOCK_CALLBACK();  // NOLINT: the compilers' name
 extern "C" void TALWEG_BLOCK_CALLBACK() {
   if (++blocks == end) at_end();

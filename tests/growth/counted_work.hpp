@@ -1,4 +1,4 @@
-// Counted work tells how what a call does grows with its input, whatever the machine.
+// Counted work shows how the cost of a call grows with its input, independently of the machine.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ struct Growth {
   std::uint64_t blocks = 0;
 };
 
-/// The exponent between the last two sizes; prints all. The smaller ones show from where on it
-/// holds.
+/// The exponent of growth between the last two sizes. Prints all sizes; the smaller sizes show
+/// where the exponent begins to hold.
 double exponent(const char* name, std::span<const Growth> growth);
 
-/// Requires that the work for each larger input is at most n^`most` times that of the smaller one,
-/// at the last two of these sizes. `prepare(n)` makes the input and returns the call to count.
+/// Expects that between the last two sizes the work grows by at most n^`most`. `prepare(n)` makes
+/// the input and returns the call to count.
 template <class Prepare>
 void expect_growth(const char* name, double most, std::initializer_list<std::size_t> sizes,
                    const Prepare& prepare) {

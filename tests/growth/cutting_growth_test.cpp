@@ -22,7 +22,7 @@ struct Rim {
   Loop loop;
 };
 
-/// A plane loop around the origin with some waves.
+/// A plane loop around the origin, with waves.
 Rim rim(std::size_t n, double waves, double height = 0) {
   Rim rim;
   for (std::size_t i = 0; i < n; ++i) {
@@ -99,7 +99,7 @@ TEST(Growth, PointsAlongTheSidesOfAFace) {
                 });
 }
 
-/// Few cross anything, but without improving they would cross the sides of n triangles.
+/// Few segments cross others, but without improve() they would cross the sides of n triangles.
 TEST(Growth, SegmentsAcrossAFace) {
   const auto segments = [](std::size_t n) {
     return [n] {
@@ -120,7 +120,7 @@ TEST(Growth, SegmentsAcrossAFace) {
   expect_growth("FaceTriangulation, parallel segments", 1.4, {100, 1000, 10000}, segments);
 }
 
-/// Flipping the way free would take the square of the edges in it.
+/// Flipping every edge on the way of the segment would be quadratic in the number of edges.
 TEST(Growth, ASegmentAcrossParallelOnes) {
   const auto segments = [](std::size_t n) {
     return [n] {

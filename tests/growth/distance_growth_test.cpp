@@ -23,7 +23,7 @@ TEST(Growth, DistanceToManyPointsInAFace) {
   });
 }
 
-/// A zigzag with n points on each of the long edges of a strip of squares that are drawn out.
+/// A zigzag with n points on each of the long edges of a strip of elongated squares.
 struct Zigzag {
   Surface surface;
   SurfaceCurve curve;
@@ -38,7 +38,7 @@ Zigzag across_long_edges(std::size_t n) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-    // Over the diagonal of the square in the middle, from row 2 to row 3 and back.
+    // Over the diagonal of the square in the middle, between row 2 and row 3.
     const std::uint32_t from = i % 2 == 0 ? 2 : 3;
     if (i > 0) {
       const double between_them = t - 0.5 / static_cast<double>(n);
@@ -66,7 +66,7 @@ TEST(Growth, DistanceAmongNeedles) {
     for (Point& p : lists.points) p.x() *= ratio;
     return surface_of_lists(lists);
   };
-  // The work may not grow at all with how thin the needles are, from 1e-3 on.
+  // From a ratio of 1e-3 on, the work may not grow with the thinness of the needles.
   std::vector<Growth> growth;
   for (const double ratio : {1e-1, 1e-3, 1e-6, 1e-9, 1e-12}) {
     const Surface surface = strip(ratio);
@@ -83,7 +83,7 @@ TEST(Growth, DistanceAmongNeedles) {
   EXPECT_LE(growth.back().blocks, 4 * growth[1].blocks);
 }
 
-/// Exact distances have windows of each strip on most edges: n^1.84.
+/// Exact distances would have windows of each strip on most edges, with an exponent of 1.84.
 TEST(Growth, DistanceOfADrawingAcrossNeedles) {
   expect_growth(
       "PolylineDistance, few windows, across needles", 1.3, {1000, 2000, 4000}, [](std::size_t n) {

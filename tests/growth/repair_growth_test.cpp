@@ -10,13 +10,13 @@
 namespace talweg::test {
 namespace {
 
-/// A fraction of [0, 1) for each number, evenly spread and without order.
+/// A fraction in [0, 1) for each number, evenly spread and unordered.
 double spread(std::size_t i, double step) {
   const double x = static_cast<double>(i) * step;
   return x - std::floor(x);
 }
 
-/// Faces that each have a corner within `size` tolerances of one place, and long sides.
+/// Faces with long sides, each with a corner within `size` tolerances of one place.
 MeshLists crowd(std::size_t n, double size) {
   constexpr double kFar = 1e6;
   const double tolerance = 2 * std::numeric_limits<double>::epsilon() * kFar;
@@ -60,7 +60,7 @@ TEST(Growth, RepairAndInspectionOfACrowd) {
   });
 }
 
-/// n faces without area at one edge, and a face that has some.
+/// n faces without area at one edge, and a face with area.
 MeshLists flat_fan(std::size_t n) {
   MeshLists lists;
   lists.points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};

@@ -18,7 +18,7 @@
 namespace talweg::test {
 namespace {
 
-/// A disc of `count` faces about vertex 0.
+/// A disc of `count` faces around vertex 0.
 MeshLists disc(std::uint32_t count) {
   MeshLists lists;
   lists.points.emplace_back(0, 0, 0);
@@ -38,7 +38,7 @@ SurfaceCurve through_the_middle(const Surface& surface, std::size_t n) {
     for (const std::uint32_t v : {1 + spoke, 0U, 1 + (spoke + 32) % 64}) {
       curve.points.push_back(SurfacePoint::at_vertex(surface, VertexId{v}));
     }
-    // Along the rim to where the next one begins.
+    // Along the rim to the beginning of the next passage.
     const auto next = static_cast<std::uint32_t>((i + 1) * 27 % 64);
     for (std::uint32_t at = (spoke + 32) % 64; at != next && i + 1 < n;) {
       at = (at + 1) % 64;
@@ -94,7 +94,7 @@ TEST(Growth, SmoothingPointsInOneFace) {
   }
 }
 
-/// n points by turns on two sides of a face, a narrow zigzag that does not cross itself.
+/// n points alternating between two sides of a face: a narrow zigzag that does not cross itself.
 SurfaceCurve zigzag_in(const Surface& surface, FaceId face, std::size_t n) {
   SurfaceCurve curve;
   for (std::size_t i = 0; i < n; ++i) {
@@ -105,8 +105,8 @@ SurfaceCurve zigzag_in(const Surface& surface, FaceId face, std::size_t n) {
   return curve;
 }
 
-/// Without Delaunay pieces each of its segments would cross the needles of all points before it,
-/// with n^4 flips.
+/// Without Delaunay pieces each segment of the zigzag would cross the needles of all previous
+/// points, with n^4 flips.
 TEST(Growth, SmoothingAZigzagInOneFace) {
   const auto mesh = OpenedMesh::open(grid(4, 4));
   expect_growth("smooth, zigzag in a face, paper", 2.5, {100, 300, 900}, [&](std::size_t n) {
@@ -187,7 +187,7 @@ TEST(Growth, LabelsAtOneVertex) {
   });
 }
 
-/// n specks of one vertex's faces each, in the middle of a column of squares of 8.
+/// n specks of one vertex and its faces each, in the middle of a column of squares of 8.
 TEST(Growth, SpecksOfLabels) {
   constexpr std::uint32_t kColumns = 8;
   expect_growth("smooth_labels, specks", 1.3, {8, 32, 128}, [](std::size_t n) {

@@ -1,4 +1,4 @@
-// A stroke is a drawing with as many points in one face as wanted.
+// Strokes with any number of points in one face.
 #pragma once
 
 #include <cmath>

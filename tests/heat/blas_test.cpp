@@ -19,7 +19,8 @@ Function* find(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// A number of threads of the process or of the calling thread, set to one that nobody else sets.
+/// The number of threads of the process or of the calling thread. The test sets it to a value that
+/// no other code sets.
 class Number {
  public:
   Number(const char* get, const char* set) : get_(find<int()>(get)), set_(find<void(int)>(set)) {
@@ -50,7 +51,7 @@ bool openblas_has_threads() {
 }
 constexpr const char* kNoThreads = "skipped: needs OpenBLAS with threads (libopenblas0-pthread)";
 
-TEST(OneBlasThread, OpenMpsNumbersAreOneMeanwhileAndThenAsBefore) {
+TEST(OneBlasThread, OpenMpHasOneThreadDuringTheGuard) {
   Number threads("omp_get_max_threads", "omp_set_num_threads");
   Number levels("omp_get_max_active_levels", "omp_set_max_active_levels");
   if (!threads.there()) GTEST_SKIP() << "skipped: needs CHOLMOD with OpenMP";
@@ -75,7 +76,7 @@ TEST(OneBlasThread, OpenBlasHasOneThreadUntilTheLastOneGoes) {
   EXPECT_EQ(number.now(), Number::kOurs);
 }
 
-TEST(OneBlasThread, ANumberThatSomebodyElseSetsMeanwhileStays) {
+TEST(OneBlasThread, ANumberSetMeanwhileByOtherCodeStays) {
   if (!openblas_has_threads()) GTEST_SKIP() << kNoThreads;
   Number number("openblas_get_num_threads", "openblas_set_num_threads");
   {
@@ -98,7 +99,7 @@ TEST(OneBlasThread, FactorsAndSolutionsPutTheNumbersBack) {
   EXPECT_EQ(openblas.there() ? openblas.now() : before, before);
 }
 
-/// Dense, so that OpenBLAS with threads would share out its factor.
+/// A dense matrix: OpenBLAS with several threads would split its factorization.
 SymmetricMatrix dense_matrix(std::int32_t n) {
   SymmetricMatrix matrix{{0}, {}, {}};
   for (std::int32_t j = 0; j < n; ++j) {

@@ -115,7 +115,7 @@ TEST_P(CholeskyFactorOfKind, SameBytesEveryTime) {
     return CholeskyFactor(SymbolicFactor(matrix, GetParam()), matrix).solve(b);
   };
   const std::vector<double> first = solve();
-  const std::vector<char> shift(100001);  // other addresses for what comes next
+  const std::vector<char> shift(100001);  // later allocations get other addresses
   EXPECT_EQ(solve(), first);
 }
 
@@ -125,7 +125,7 @@ TEST_P(CholeskyFactorOfKind, IndefiniteMatrixIsAnErrorInWordsWithItsColumn) {
   const std::string message = message_of(matrix, ErrorCode::kNumerical, GetParam());
   EXPECT_NE(message.find("not positive definite"), std::string::npos) << message;
   EXPECT_NE(message.find("column"), std::string::npos) << message;
-  // Without neighbours only its own column can be the one that fails.
+  // In a diagonal matrix the column that fails is known.
   SymmetricMatrix diagonal;
   diagonal.column_start = {0, 1, 2, 3, 4};
   diagonal.row = {0, 1, 2, 3};
@@ -154,7 +154,7 @@ TEST(CholeskyFactor, MoreEntriesThanAnIntCountsIsAnErrorInWords) {
 }
 
 #ifdef __GLIBC__
-/// What the process has mapped, in bytes, without what was freed.
+/// Mapped memory of the process in bytes, without freed memory.
 std::size_t addresses_in_use() {
   malloc_trim(0);
   std::size_t pages = 0;
@@ -162,7 +162,7 @@ std::size_t addresses_in_use() {
   return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// What `task` says when the process may map no more than this, and "" when it succeeds.
+/// The error message of `task` under a limit on mapped memory; "" on success.
 template <class Task>
 std::string complaint_within(std::size_t megabytes, Task&& task) {
   rlimit before{};
@@ -182,7 +182,8 @@ std::string complaint_within(std::size_t megabytes, Task&& task) {
   return complaint;
 }
 
-/// Ends the process: with 0 when solutions are right or refused, and some were refused.
+/// Solves under several memory limits. Exits with 0 if every solution is right or an error for lack
+/// of memory, and more than two are errors.
 [[noreturn]] void solve_with_little_memory(FactorKind kind) {
   const SymmetricMatrix matrix = test::grid_matrix(200, 4.1);
   const std::vector<double> b(matrix.size(), 1.0);
@@ -201,7 +202,7 @@ std::string complaint_within(std::size_t megabytes, Task&& task) {
 
 TEST_P(CholeskyFactorOfKind, WithLittleMemoryIsRightOrAnErrorInWords) {
   if (!test::kMemoryCanBeLimited) GTEST_SKIP() << "skipped: the sanitizer maps all memory there is";
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // in a new process, which has freed nothing
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a new process has no freed memory
   EXPECT_EXIT(solve_with_little_memory(GetParam()), ::testing::ExitedWithCode(0), "");
 }
 #endif

@@ -38,8 +38,8 @@ TEST(TriangleShape, NeedlesKeepTheirDigits) {
   EXPECT_NEAR(needle.area, base * height / 2, 1e-15 * base);
   EXPECT_NEAR(needle.cotangent[2] / (height / base), 1, 1e-14);
   EXPECT_NEAR(needle.cotangent[0], base / 2 / height, 1e-15);
-  // A cap: apex 1e-6 above the middle of a side of 2. Length 1 + h²/2 is known to one ulp, which
-  // makes h² uncertain by 2 ε / h², so the cotangent 1/h is good to ε / h² = 2e-4.
+  // A cap: apex 1e-6 above the middle of a side of length 2. The length 1 + h²/2 is known to one
+  // ulp, so h² has a relative error of 2 ε / h² and the cotangent 1/h one of ε / h² = 2e-4.
   const double apex = 1e-6, side = std::hypot(1.0, apex);
   const TriangleShape cap = triangle_shape({2, side, side});
   EXPECT_NEAR(cap.cotangent[0] * apex, 1, 3e-4);

@@ -61,7 +61,8 @@ TEST_F(CurveSources, WeightsSumToTheLengthWhereverPointsAreInserted) {
 }
 
 TEST_F(CurveSources, TriangleCountsItsLastSegment) {
-  // The shortest closed curve: around one face. Each corner has half of its two sides.
+  // The shortest closed curve, around one face: the weight of a corner is half the sum of its two
+  // sides.
   const auto corner = surface_.corners(FaceId{0});
   SurfaceCurve around{true, {}};
   for (const VertexId v : corner) around.points.push_back(SurfacePoint::at_vertex(surface_, v));

@@ -33,8 +33,9 @@ bool all_finite_and_non_negative(const std::vector<double>& distance) {
 }
 
 TEST(HeatDistance, ToALineIsExactWhereTheDiscreteSolutionIs) {
-  // Unequal columns: with half-lengths as weights the heat depends on y only, so the gradient is
-  // that of |y - y0| in every triangle. Equal weights would bend it where columns are narrow.
+  // The columns have unequal widths. With half-lengths as weights the heat depends on y only, so in
+  // every triangle its gradient is parallel to the gradient of |y - y0|. Equal weights would bend
+  // the gradient in narrow columns.
   std::vector<double> width;
   for (int x = 0; x < 24; ++x) width.push_back(x % 8 < 4 ? 0.25 : 2.0);
   const std::size_t columns = width.size(), rows = 40;
@@ -74,7 +75,7 @@ double error_on_sphere(int rounds) {
 }
 
 TEST(HeatDistance, ConvergesOnTheSphere) {
-  // The heat method is of first order in h; h halves from one to the next.
+  // The heat method is of first order in h; each mesh halves h.
   const double coarse = error_on_sphere(2), middle = error_on_sphere(3), fine = error_on_sphere(4);
   EXPECT_LT(middle, 0.75 * coarse);
   EXPECT_LT(fine, 0.75 * middle);
@@ -82,7 +83,8 @@ TEST(HeatDistance, ConvergesOnTheSphere) {
 }
 
 TEST(HeatDistance, ToALineInAPlaneWithBoundary) {
-  // The line runs from boundary to boundary, so the average is used; |y - 20| away from the sides.
+  // The line runs from boundary to boundary, so the averaged solution is used. Away from the sides
+  // the distance is |y - 20|.
   const TestMesh mesh = grid(60, 40);
   Sources line;
   for (std::size_t x = 0; x <= 60; ++x) line.push_back({VertexId{20 * 61 + x}, 1.0});
@@ -95,8 +97,8 @@ TEST(HeatDistance, ToALineInAPlaneWithBoundary) {
 }
 
 TEST(HeatDistance, BoundaryAverageKeepsAnObliqueLineStraight) {
-  // A line at 45 degrees to the boundary: the free solution alone bends towards the boundary and
-  // is 0.5 off along it; with the average an error of the grid's diffusion remains.
+  // A line at 45 degrees to the boundary. The Neumann solution alone bends towards the boundary and
+  // is off by 0.5 along it; the averaged solution has only the error of the diffusion on the grid.
   Sources line;
   for (std::size_t i = 0; i <= 30; ++i) line.push_back({VertexId{62 * i + 15}, 1.0});
   HeatOptions options;
@@ -124,7 +126,7 @@ TEST(HeatDistance, WeightedMeanOverTheSourcesIsZeroAndClampIsAnOption) {
   const Sources sources = {{VertexId{0}, 1.0}, {VertexId{1}, 3.0}};
   const auto raw = heat.solve(sources, {.zero_on_sources = true, .clamp = false});
   EXPECT_NEAR((raw[0] + 3 * raw[1]) / 4, 0, 1e-13);
-  EXPECT_LT(*std::min_element(raw.begin(), raw.end()), -1e-3);  // around the heavier one
+  EXPECT_LT(*std::min_element(raw.begin(), raw.end()), -1e-3);  // near the heavier source
   const auto clamped = heat.solve(sources);
   for (std::size_t v = 0; v < raw.size(); ++v) EXPECT_EQ(clamped[v], std::max(raw[v], 0.0));
 }
@@ -175,8 +177,8 @@ TEST(HeatDistance, IsScaleCovariant) {
 }
 
 TEST(HeatDistance, SourceOnTheBoundary) {
-  // Only boundary sources: the free solution alone. |x| from the left side, whose columns are alike
-  // but for the corners.
+  // With sources only on the boundary, the Neumann solution is used alone. The distance is |x| from
+  // the left side; the columns are alike except for the corners.
   const TestMesh mesh = grid(40, 10);
   Sources side;
   for (std::size_t y = 0; y <= 10; ++y) {
@@ -186,13 +188,14 @@ TEST(HeatDistance, SourceOnTheBoundary) {
   for (std::size_t v = 0; v < distance.size(); ++v) {
     EXPECT_NEAR(distance[v], mesh.positions[v][0], 0.2) << v;
   }
-  // A corner and a source inside: the average, also finite.
+  // With a corner and an inner source the averaged solution is used.
   EXPECT_TRUE(all_finite_and_non_negative(
       HeatDistance(mesh.surface()).solve(sources_at({0, 41 * 5 + 20}))));
 }
 
 TEST(HeatDistance, FlatTrianglesAndNeedlesAnywhere) {
-  // A vertex falls onto a neighbour (two triangles without area, others needles), or nearly so.
+  // A vertex is moved onto a neighbour, or almost: two triangles get zero area, others become
+  // needles.
   const TestMesh good = sphere(3);
   const auto expected = HeatDistance(good.surface()).solve(sources_at({0}));
   for (const double t : {1.0, 1 - 1e-13, 1 - 1e-6}) {
@@ -206,7 +209,7 @@ TEST(HeatDistance, FlatTrianglesAndNeedlesAnywhere) {
       const HeatDistance heat(mesh.surface());
       const auto distance = heat.solve(sources_at({0}));
       ASSERT_TRUE(all_finite_and_non_negative(distance)) << t << " at " << moved;
-      // Elsewhere the surface is the same; the source itself may have moved by an edge.
+      // The surface is unchanged elsewhere; the source itself may have moved by an edge.
       const double edge = heat.report().mean_edge_length[0];
       for (std::size_t v = 0; v < distance.size(); ++v) {
         EXPECT_NEAR(distance[v], expected[v], 2 * edge) << v << ", " << t << " at " << moved;
@@ -215,9 +218,9 @@ TEST(HeatDistance, FlatTrianglesAndNeedlesAnywhere) {
   }
 }
 
-TEST(HeatDistance, SurfacesThatAllButFallApart) {
-  // Two sheets that hang together by a neck of width w: but for what passes there, constants on
-  // either side are in the kernel of the Laplacian, so its condition grows like 1 / w.
+TEST(HeatDistance, SurfacesWithANarrowNeck) {
+  // Two sheets are joined by a neck of width w. Up to the flow through the neck, constants on
+  // either side are in the kernel of the Laplacian, so its condition number grows like 1 / w.
   const std::size_t columns = 40, rows = 8, neck = 20;
   for (const double w : {1.0, 1e-3, 1e-6, 1e-9, 1e-12}) {
     TestMesh mesh = grid(columns, rows);
@@ -229,8 +232,8 @@ TEST(HeatDistance, SurfacesThatAllButFallApart) {
     }
     const auto distance = HeatDistance(mesh.surface()).solve(sources);
     ASSERT_TRUE(all_finite_and_non_negative(distance)) << w;
-    // To the left side, straight: through the neck, where it is narrow. Sides without curvature and
-    // a field that fans out behind the neck: the heat method is off by a few edges there.
+    // Distances to the left side, through the neck. The sides of the sheet have no curvature and
+    // the field fans out behind the neck; the heat method is off by a few edges there.
     for (std::size_t j = 0; j <= rows; ++j) {
       EXPECT_NEAR(distance[j * (columns + 1) + neck / 2], 10, 1) << w << ' ' << j;
       const double fan = w == 1 ? 0 : std::hypot(20.0, static_cast<double>(j) - 4) - 20;
@@ -240,9 +243,9 @@ TEST(HeatDistance, SurfacesThatAllButFallApart) {
 }
 
 TEST(HeatDistance, CapsAndSurfacesWithoutExtent) {
-  // Triangles of three points in a line.
+  // Triangles with three points on a line.
   TestMesh caps = grid(8, 8);
-  caps.positions[40] = {4, 3, 0};  // onto its lower neighbour's place, flattening four triangles
+  caps.positions[40] = {4, 3, 0};  // at the position of the lower neighbour: four flat triangles
   const HeatDistance heat(caps.surface());
   EXPECT_GT(heat.report().mollification[0], 0);
   EXPECT_LE(heat.report().mollification[0], 1e-5 * heat.report().mean_edge_length[0] * (1 + 1e-12));
@@ -288,7 +291,7 @@ TEST(HeatDistance, LongStripWithBoundary) {
 
 #ifdef __GLIBC__
 TEST(HeatDistance, WithoutAnotherThreadFactorsOneAfterTheOther) {
-  // No thread can have such a stack.
+  // No thread can have a stack of this size.
   pthread_attr_t usual, huge;
   pthread_getattr_default_np(&usual);
   pthread_attr_init(&huge);

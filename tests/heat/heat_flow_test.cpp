@@ -31,7 +31,7 @@ double log_of(const ScaledField& u, std::size_t v) {
 }
 
 TEST(HeatFlow, StaysExactFarBeyondUnderflow) {
-  // On a long thin torus heated along one column, u satisfies u/h² + s (2u - u₋ - u₊) = 0, so it
+  // On a long thin torus heated along one column, u satisfies u/h² + s (2u - u₋ - u₊) = 0. So u
   // falls by the constant factor r with r + 1/r = 2 + 1/(s h²), except at the far end.
   const std::size_t columns = 14000, rows = 3;
   const Surface surface = test::torus(std::vector<double>(columns, 1.0), rows);
@@ -52,9 +52,9 @@ TEST(HeatFlow, StaysExactFarBeyondUnderflow) {
 }
 
 TEST(HeatFlow, AverageIgnoresAStraightBoundary) {
-  // Method of images: a tube of R rows is half of a torus of 2 R. Its free solution is the torus'
-  // with the source and its mirror image, its cold solution that with the source minus the image;
-  // the average is the torus' with the source alone, exactly.
+  // Method of images: a tube of R rows is half of a torus of 2 R rows. Its Neumann solution is the
+  // torus solution for the source plus the mirror image, its Dirichlet solution for the source
+  // minus the image. The average is exactly the torus solution for the source alone.
   const std::size_t columns = 9, rows = 8;
   const std::vector<double> width(columns, 1.0), h = {1.0};
   const auto matrix_of = [&](const Surface& surface) {
@@ -107,7 +107,8 @@ TEST(HeatFlow, AverageOfFieldsAtDifferentStages) {
 }
 
 TEST(UnitGradient, OfALinearFieldIsTheFieldOfUnitSlope) {
-  // S f = divergence for u = exp-free linear u = -c f, f of slope 1: exact in every triangle.
+  // For a linear u = -c f, with f of slope 1, S f is the divergence of the unit gradient, exactly
+  // in every triangle.
   const test::TestMesh mesh = test::jittered(test::grid(10, 10), 0.3);
   const auto triangles = metric_triangles(mesh.surface());
   std::vector<double> slope_one;

@@ -44,7 +44,7 @@ TEST(Mollification, AddsTheSmallestAmountThatGivesTheSlack) {
 }
 
 TEST(Mollification, SeesCapsWhateverSideIsTheLongest) {
-  // A vertex in the middle of the opposite side: no side is short and the slack is still 0.
+  // A vertex in the middle of the opposite side: no side is short, but the slack is 0.
   const std::vector<Triangle> one = {{0, 1, 2}};
   for (std::size_t longest = 0; longest < 3; ++longest) {
     Surface surface = Surface::from_triangles(3, one);

@@ -18,7 +18,7 @@ std::vector<double> waves(std::size_t n) {
   return x;
 }
 
-/// In a build with CHOLMOD the other factor is CHOLMOD's.
+/// In a build with CHOLMOD the other factor is from CHOLMOD.
 TEST(SimplicialFactor, SolvesAsTheFactorOfTheBuild) {
   for (const SymmetricMatrix& matrix :
        {test::grid_matrix(1, 4), test::grid_matrix(60, 4), test::expander_matrix(500)}) {
@@ -36,12 +36,14 @@ TEST(SimplicialFactor, TheOrderHasEveryPlaceOnceAndFillsLittle) {
   std::vector<char> taken(matrix.size(), 0);
   for (const std::int32_t place : order.places()) taken.at(static_cast<std::size_t>(place)) += 1;
   EXPECT_EQ(taken, std::vector<char>(matrix.size(), 1));
-  // Row by row the factor has a full band of 100 below every diagonal; n log n is the least.
+  // In row order the factor would have a full band of 100 below the diagonal; n log n is the
+  // minimum.
   EXPECT_LT(order.factor_entries(), 40 * matrix.size());
   EXPECT_GE(order.factor_entries(), matrix.row.size());
 }
 
-/// Of a tree no elimination from the leaves fills anything; of an arrow with its tip first, all.
+/// Elimination of a tree from its leaves has no fill; elimination of an arrow from its tip fills
+/// everything.
 TEST(SimplicialFactor, EntriesAreCounted) {
   SymmetricMatrix arrow{
       {0, 5, 6, 7, 8, 9}, {0, 1, 2, 3, 4, 1, 2, 3, 4}, {9, 1, 1, 1, 1, 9, 9, 9, 9}};

@@ -1,4 +1,4 @@
-// Test matrices are sparse, and are for the tests of the factor.
+// Sparse matrices for the tests of the factor.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ inline SymmetricMatrix grid_matrix(std::size_t side, double diagonal) {
   return matrix;
 }
 
-/// An expander: each of n points is joined with three random ones, so every order of elimination
-/// fills the factor. Definite.
+/// An expander: each of n points is joined with three random points, so every elimination order
+/// fills the factor. Positive definite.
 inline SymmetricMatrix expander_matrix(std::int32_t n) {
   std::vector<std::vector<std::int32_t>> below(static_cast<std::size_t>(n));
   std::uint64_t random = 1;

@@ -1,4 +1,4 @@
-// Test surfaces are small, and made of positions that only the tests know.
+// Small surfaces for the tests of the heat layer, from positions known only to the tests.
 #pragma once
 
 #include <array>
@@ -115,9 +115,9 @@ inline TestMesh scaled(TestMesh mesh, double factor) {
 }
 
 /// A flat band, closed along x: width.size() columns of these widths, `rows` rows of height 1;
-/// vertex (x, y) has the number y · columns + x. With `torus` it is closed along y, too, else it
-/// has rows + 1 rows of vertices. All diagonals run the same way, so masses and weights are those
-/// of the five-point stencil, and fields that depend on one coordinate are solved exactly.
+/// vertex (x, y) has the number y · columns + x. A torus is closed along y, too; a band has rows +
+/// 1 rows of vertices. All diagonals run the same way, so masses and weights are the same as for
+/// the five-point stencil, and fields that depend on one coordinate are solved exactly.
 inline Surface band(const std::vector<double>& width, std::size_t rows, bool torus) {
   const std::size_t columns = width.size(), levels = torus ? rows : rows + 1;
   const auto id = [&](std::size_t x, std::size_t y) {

@@ -1,5 +1,5 @@
-// Test paths come with measures that owe nothing to signposts, and random flips, for the tests of
-// the intrinsic layer.
+// Paths, random flips, and measures that do not use signposts, for the tests of the intrinsic
+// layer.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline EdgePath path_through(const SignpostTriangulation& t,
   return EdgePath::make(t, halfedges_through(t, vertices, closed), closed);
 }
 
-/// Dijkstra along edges.
+/// The vertices of a shortest path along edges (Dijkstra).
 inline std::vector<std::size_t> shortest_vertices(const Surface& s, std::size_t from,
                                                   std::size_t to) {
   std::vector<double> best(s.vertex_count(), std::numeric_limits<double>::infinity());
@@ -87,7 +87,7 @@ inline std::vector<HalfedgeId> random_walk(SignpostTriangulation& t, Random& ran
   return path;
 }
 
-/// A random walk that never meets a vertex twice; ends early where it is caught.
+/// A random walk that meets no vertex twice; ends early if it is trapped.
 inline std::vector<HalfedgeId> self_avoiding_walk(SignpostTriangulation& t, Random& random,
                                                   std::size_t steps) {
   std::vector<HalfedgeId> path;
@@ -110,10 +110,10 @@ inline std::vector<HalfedgeId> self_avoiding_walk(SignpostTriangulation& t, Rand
   return path;
 }
 
-// ---- measures that owe nothing to signposts ----
+// ---- measures that do not use signposts ----
 
-/// The angle from one outgoing halfedge counterclockwise to another, corner by corner; +infinity
-/// where the boundary is in between; the whole cone if they are the same.
+/// The angle from one outgoing halfedge counterclockwise to another, summed over corners; +infinity
+/// across the boundary; the whole cone angle for equal halfedges.
 inline double corner_sum(SignpostTriangulation& t, HalfedgeId from, HalfedgeId to) {
   double sum = 0;
   do {
@@ -124,7 +124,7 @@ inline double corner_sum(SignpostTriangulation& t, HalfedgeId from, HalfedgeId t
   return sum;
 }
 
-/// The smaller side angle at every joint of a path, corner by corner; spikes count as 0.
+/// The smaller side angle at every joint of a path, summed over corners; 0 at spikes.
 inline std::vector<double> side_angles(SignpostTriangulation& t, const EdgePath& path) {
   std::vector<double> angles;
   const auto h = path.halfedges();
@@ -136,7 +136,7 @@ inline std::vector<double> side_angles(SignpostTriangulation& t, const EdgePath&
   return angles;
 }
 
-/// Position of a point of a simplicial surface, from the vertices' positions.
+/// The position of a point of a simplicial surface, from the positions of the vertices.
 inline Point position(const Surface& surface, const std::vector<Point>& points,
                       const SurfacePoint& p) {
   if (const auto* v = std::get_if<AtVertex>(&p.where())) return points[v->vertex.index()];
@@ -161,7 +161,7 @@ inline double length_of(const Surface& surface, const std::vector<Point>& points
   return length;
 }
 
-/// True when every point and the next lie in one face.
+/// Whether each point and the next lie in one face.
 inline bool runs_in_faces(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i) {
@@ -170,7 +170,7 @@ inline bool runs_in_faces(const Surface& surface, const SurfaceCurve& curve) {
   return n > 0;
 }
 
-/// Everything a triangulation knows about its present state, to compare bit for bit.
+/// The state of a triangulation, for bitwise comparison.
 struct Snapshot {
   std::vector<std::size_t> connectivity;
   std::vector<double> numbers;
@@ -189,7 +189,7 @@ inline Snapshot snapshot(SignpostTriangulation& t) {
     s.connectivity.push_back(t.tail(h).index());
     s.connectivity.push_back(t.surface_face(h).index());
     s.numbers.push_back(t.length(h));
-    // The direction relative to the vertex's own halfedge.
+    // The direction of a halfedge relative to the vertex's own halfedge.
     if (t.halfedge(t.tail(h)).valid()) s.numbers.push_back(t.angle_ccw(t.halfedge(t.tail(h)), h));
   }
   return s;
@@ -203,8 +203,8 @@ inline std::size_t flip_at_random(SignpostTriangulation& t, Random& random, std:
   return flips;
 }
 
-/// Random flips that leave no angle below `smallest`: a triangle's angles know its sides to an
-/// error of ulp / angle only, so unbounded flips would measure nothing but that.
+/// Random flips that leave no angle below `smallest`. The angles of a triangle give its sides only
+/// to an error of ulp / angle, so unbounded flips would measure only that error.
 inline std::size_t flip_fat(SignpostTriangulation& t, Random& random, std::size_t tries,
                             double smallest) {
   std::size_t flips = 0;

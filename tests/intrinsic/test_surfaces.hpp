@@ -1,5 +1,5 @@
-// Test surfaces are small surfaces for the tests of the intrinsic layer. Lengths come from
-// positions here; the library never sees them.
+// Small surfaces for the tests of the intrinsic layer. Lengths are computed from positions, which
+// the library does not see.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline Point operator-(const Point& a, const Point& b) {
 inline double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 inline double distance(const Point& a, const Point& b) { return norm(a - b); }
 
-/// The same numbers on every platform (standard distributions are not).
+/// Random numbers that are the same on every platform (standard distributions are not).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -58,8 +58,8 @@ inline Surface surface_of(const TestMesh& mesh) {
   return surface;
 }
 
-/// (nx + 1) × (ny + 1) vertices, vertex (i, j) is i + j (nx + 1); inner ones moved by up to
-/// `jitter` (< 0.25) in x and y.
+/// A grid of (nx + 1) × (ny + 1) vertices; vertex (i, j) is i + j (nx + 1). Inner vertices are
+/// moved by up to `jitter` (< 0.25) in x and y.
 inline TestMesh grid(std::size_t nx, std::size_t ny, double jitter = 0, std::uint64_t seed = 1) {
   Random random(seed);
   TestMesh mesh;
@@ -96,7 +96,7 @@ TestMesh grid_without(std::size_t nx, std::size_t ny, Drop drop) {
   return mesh;
 }
 
-/// Rings of n vertices at the given (radius, height), vertex k of ring r is k + r n; closed around.
+/// Rings of n vertices at the given (radius, height), closed around; vertex k of ring r is k + r n.
 inline TestMesh rings_of(std::size_t n, const std::vector<std::array<double, 2>>& rings,
                          double twist = 0) {
   TestMesh mesh;
@@ -190,7 +190,8 @@ inline TestMesh octahedron() {
           {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 }
 
-/// Each level splits every triangle in four and puts the new vertices on the unit sphere.
+/// A unit sphere: each level splits every triangle of an octahedron in four and puts the new
+/// vertices on the sphere.
 inline TestMesh sphere(int levels) {
   TestMesh mesh = octahedron();
   for (int level = 0; level < levels; ++level) {
@@ -216,8 +217,8 @@ inline TestMesh sphere(int levels) {
   return mesh;
 }
 
-/// The surface of the unit cubes for which `solid(i, j, k)` holds, each square in two triangles;
-/// coordinates are multiplied by `scale`. The solid must not meet itself along a mere edge.
+/// The surface of the unit cubes for which `solid(i, j, k)` holds, two triangles per square;
+/// coordinates are multiplied by `scale`. Cubes of the solid must not touch only along an edge.
 template <class Solid>
 TestMesh voxels(int nx, int ny, int nz, Solid solid, double scale = 1) {
   TestMesh mesh;
@@ -269,10 +270,10 @@ inline TestMesh double_torus(int n) {
       1.0 / n);
 }
 
-/// `count` triangles glued along random sides: multi-edges, self-edges and faces glued to
-/// themselves are common. With probability `open` a side stays on the boundary.
-/// `spread` = 0 draws lengths from [1, 2); otherwise an edge has the sum of its ends' weights,
-/// drawn from 10^[-spread, spread], which is a triangle always and a needle often.
+/// A surface of `count` triangles glued along random sides. Multi-edges, self-edges and faces glued
+/// to themselves are common. A side stays on the boundary with probability `open`. `spread` = 0
+/// draws lengths from [1, 2); otherwise the length of an edge is the sum of the weights of its
+/// ends, drawn from 10^[-spread, spread], so a triangle is always valid and often a needle.
 inline Surface random_complex(Random& random, std::size_t count, double open, double spread = 0) {
   const std::size_t sides = 3 * count;
   std::vector<std::uint32_t> order(sides);

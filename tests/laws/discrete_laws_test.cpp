@@ -1,4 +1,4 @@
-// Laws of the parts, on every subject: Laplacian, Delaunay triangulation, distance.
+// Laws of single algorithms, on every subject: Laplacian, Delaunay triangulation, distance.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +27,7 @@ class DiscreteLaw : public ::testing::TestWithParam<std::string> {
   test::Subject subject_;
 };
 
-/// The present triangulation as a surface of its own.
+/// The current triangulation as a surface.
 Surface rebuilt(SignpostTriangulation& t) {
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> gluing;
@@ -86,8 +86,8 @@ TEST_P(DiscreteLaw, DelaunayAfterAnyFlipsGivesTheSameCotanMatrix) {
   }
   EXPECT_GT(flips, t.edge_count() / 2);
   const auto found = delaunay_matrix(rebuilt(t));
-  // Where four points lie on a circle either diagonal is Delaunay, with a weight of 0: compare
-  // entries, not patterns. Lengths of flipped edges carry the rounding of all their flips.
+  // Four points on a circle have two Delaunay diagonals, each with weight 0, so entries are
+  // compared, not patterns. Lengths of flipped edges carry the rounding of all flips.
   double worst = 0;
   for (const auto& [place, value] : expected) {
     const auto it = found.find(place);
@@ -108,8 +108,8 @@ double perimeter(SignpostTriangulation& t, HalfedgeId diagonal) {
   return sum;
 }
 
-/// Perimeter squared over the smaller triangle's area: 1 / angle for needles. It is by this number
-/// that the flip back enlarges the rounding of a diagonal's length.
+/// The squared perimeter divided by the area of the smaller triangle: 1 / angle for needles. The
+/// flip back enlarges the rounding of a diagonal's length by this factor.
 double shape_number(SignpostTriangulation& t, HalfedgeId diagonal) {
   double area = HUGE_VAL;
   for (const HalfedgeId side : {diagonal, twin(diagonal)}) {
@@ -138,7 +138,7 @@ TEST_P(DiscreteLaw, FlipAndItsInverseRestoreLengths) {
     ++flipped;
     const double shape = std::max(before, shape_number(t, h));
     ASSERT_TRUE(t.flip(edge)) << e;
-    // A diagonal's inverse flip may turn its direction round.
+    // The inverse flip of a diagonal may reverse its direction.
     EXPECT_TRUE((t.tail(h) == tail && t.head(h) == head) ||
                 (t.tail(h) == head && t.head(h) == tail));
     EXPECT_NEAR(t.length(edge), length, 16 * kEpsilon * shape * perimeter(t, h)) << e;
@@ -173,9 +173,9 @@ TEST_P(DiscreteLaw, LaplacianRowsSumToZero) {
 }
 
 TEST_P(DiscreteLaw, DistanceIsNotNegativeAndAlmostOneLipschitz) {
-  // The exact distance changes along an edge by at most its length. The heat method fits unit
-  // gradients in the mean only: where they meet (at the medial axis, at sources) single edges are
-  // steeper. The stated bounds: 1.5 for every edge, 1.25 for all but one in a hundred.
+  // The exact distance changes along an edge by at most the length of the edge. The heat method
+  // fits unit gradients only on average: at the medial axis and at sources single edges are
+  // steeper. The bounds are a slope of 1.5 for every edge, and 1.25 for 99 of 100 edges.
   const auto opened = OpenedMesh::open(subject_.lists);
   const Surface& surface = opened->surface();
   for (const test::Subject::Drawing& drawing : subject_.drawings) {

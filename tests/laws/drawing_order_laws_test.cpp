@@ -1,6 +1,6 @@
-// Who draws a curve from the other end, begins a loop elsewhere, or lists the curves of a set
-// otherwise, gets the same result to the last bit: for every tau, within a bound, with pins and
-// with a slack that varies.
+// A result is bitwise the same if a curve is reversed, a loop begins at another point, or the
+// curves of a set are listed in another order: for every tau, within a bound, with pins and with a
+// slack field.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -16,10 +16,10 @@ namespace {
 
 using Points = std::vector<SurfacePoint>;
 
-/// The same drawing as others would draw it, and a result as it would be for the first one.
+/// A drawing reversed or begun elsewhere, and the inverse transformation of results.
 struct Redrawn {
   SurfaceCurve curve;
-  std::vector<std::size_t> from;  // which point of the first drawing each one is
+  std::vector<std::size_t> from;  // per point, its number in the first drawing
   bool reversed = false;
 
   Redrawn(const SurfaceCurve& drawn, double start, bool backwards)
@@ -47,7 +47,7 @@ std::vector<Redrawn> others(const SurfaceCurve& drawn) {
   return all;
 }
 
-/// What does not depend on time and memory.
+/// The report without times and memory.
 std::string numbers_of(SmoothingReport report) {
   report.time_ms = {};
   report.peak_memory_mib = 0;
@@ -68,7 +68,7 @@ class DrawingOrderLaw : public ::testing::TestWithParam<std::string> {
 
   using Smooth = std::function<SmoothingResult(CurveSmoother&, const Redrawn&)>;
 
-  /// The same for every drawing, however it is drawn.
+  /// Expects the same result for every reversal and first point.
   void expect_same(const Smooth& smooth) {
     CurveSmoother smoother(opened_);
     for (const SurfaceCurve& drawn : curves_) {
@@ -139,8 +139,8 @@ TEST_P(DrawingOrderLaw, WithPinsAndASlackThatVaries) {
   });
 }
 
-// Curves that run along common edges: which of them counts there, and which lies left, must not
-// depend on which one was listed first.
+// Curves along common edges: the order of the list must not decide which curve counts there and
+// which lies on the left.
 TEST_P(DrawingOrderLaw, OfASetOfCurvesThatTouch) {
   const Points& points = curves_.front().points;
   const auto part = [&](double from, double to) {

@@ -1,5 +1,5 @@
-// Renumbering on surfaces with many equal angles: which of them is cleared first must not be
-// decided by rounding, which depends on the numbers of vertices and faces.
+// Renumbering on surfaces with many equal angles. Rounding depends on the numbers of vertices and
+// faces, so it must not decide which of the equal angles is cleared first.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +16,9 @@ namespace {
 
 using Cell = std::array<int, 3>;
 
-/// A gyroid's two sheets within a cube of so many cells, between points of a lattice that are
-/// inside and outside: each cube is cut into six tetrahedra, and the surface passes the middles of
-/// their edges. So it has many handles, and but a few shapes of triangles.
+/// The two sheets of a gyroid in a cube of `cells` cells per side. Each cell is cut into six
+/// tetrahedra, and the surface passes through the midpoints of edges between lattice points inside
+/// and outside. The surface has many handles and only a few shapes of triangles.
 class LatticeSurface {
  public:
   LatticeSurface(int cells, double periods) : cells_(cells), periods_(periods) {
@@ -51,7 +51,7 @@ class LatticeSurface {
 
   static Point point(const Cell& c) { return {double(c[0]), double(c[1]), double(c[2])}; }
 
-  /// Facing away from a corner that is inside.
+  /// Adds a triangle that faces away from a corner inside.
   void add_triangle(Triangle t, const Cell& inside) {
     const auto& p = lists_.points;
     const Point normal = (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
@@ -88,7 +88,7 @@ class LatticeSurface {
   std::map<std::pair<Cell, Cell>, std::uint32_t> middles_;
 };
 
-/// Other numbers for the vertices, other places and first corners for the faces.
+/// A mesh with renumbered vertices, and faces in another order with other first corners.
 struct Renumbered {
   MeshLists lists;
   std::vector<std::uint32_t> fresh;

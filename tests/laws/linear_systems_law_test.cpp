@@ -1,5 +1,5 @@
-// Law of the linear systems of the heat method: on every subject they are solved as exactly as
-// Cholesky's method can, and as Eigen solves them.
+// Law of the linear systems of the heat method, on every subject: solutions are within the error
+// bound of Cholesky factorization and agree with Eigen.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,7 +57,7 @@ Vector solve(const EigenFactor& factor, const Vector& b) {
   return {x.begin(), x.end()};
 }
 
-/// |b - A x|, computed with more digits.
+/// |b - A x|, computed in extended precision.
 Vector residual(const SymmetricMatrix& matrix, const Vector& x, const Vector& b) {
   std::vector<long double> r(b.begin(), b.end());
   for (std::size_t j = 0; j < matrix.size(); ++j) {
@@ -73,8 +73,9 @@ Vector residual(const SymmetricMatrix& matrix, const Vector& x, const Vector& b)
   return size;
 }
 
-/// Higham, "Accuracy and Stability of Numerical Algorithms" (2002), theorem 10.4: the solution is
-/// that of A + E with |E_ij| <= (3 n + 1) u √(a_ii a_jj) / (1 - ...), in any order of elimination.
+/// Higham, "Accuracy and Stability of Numerical Algorithms" (2002), theorem 10.4: the computed
+/// solution solves a system A + E with |E_ij| <= (3 n + 1) u √(a_ii a_jj) / (1 - ...), for any
+/// elimination order.
 Vector residual_bound(const SymmetricMatrix& matrix, const Vector& x) {
   const double u = std::numeric_limits<double>::epsilon() / 2;
   const double gamma = (3 * static_cast<double>(matrix.size()) + 1) * u;
@@ -89,7 +90,7 @@ Vector residual_bound(const SymmetricMatrix& matrix, const Vector& x) {
   return bound;
 }
 
-/// One vertex's heat, and a source that is nowhere 0.
+/// Right-hand sides: the heat of one vertex, and a source that is nowhere 0.
 std::vector<Vector> sources(std::size_t n) {
   std::vector<Vector> sources(2, Vector(n, 0.0));
   sources[0][n / 3] = 1;
@@ -130,11 +131,12 @@ TEST_P(LinearSystemsLaw, SolutionsAreThoseOfEigen) {
         Vector r = residual(system.matrix, x, b);
         const Vector bound = residual_bound(system.matrix, x), s = residual(system.matrix, y, b);
         for (std::size_t i = 0; i < r.size(); ++i) ASSERT_LE(r[i], bound[i]) << i;
-        // The bound holds for any order of sums; this one's sums are no worse than Eigen's.
+        // The bound holds for any order of summation; the residual must not be much larger than for
+        // Eigen.
         EXPECT_LE(*std::max_element(r.begin(), r.end()),
                   10 * *std::max_element(s.begin(), s.end()));
-        // A (x - y) is at most r + s, and the inverse of a Delaunay triangulation's matrix has no
-        // negative entry.
+        // |A (x - y)| is at most r + s, and the inverse of the matrix of a Delaunay triangulation
+        // has no negative entry.
         for (std::size_t i = 0; i < r.size(); ++i) r[i] += s[i];
         const Vector apart = solve(other, r);
         for (std::size_t i = 0; i < r.size(); ++i) {

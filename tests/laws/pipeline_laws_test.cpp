@@ -1,5 +1,5 @@
-// Laws of the whole pipeline, mesh and drawing in, smoothed curve out, on every subject: what must
-// not matter does not.
+// Laws of the whole pipeline, from mesh and drawing to smoothed curve, on every subject: invariance
+// under irrelevant changes.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -46,12 +46,13 @@ class PipelineLaw : public ::testing::TestWithParam<Setting> {
     tau_ = GetParam().tau;
     corridor_ = GetParam().method == Method::kCorridor;
     options_.method = GetParam().method;
-    // Fairing ends where a step gains no energy that counts.
+    // Fairing stops when a step gains no relevant energy.
     exact_ = corridor_ ? 1e-4 : 1e-9;
     size_ = test::diameter_of(subject_.lists);
   }
 
-  /// The outcome on another mesh, taken back by `back`, against that on the subject's own.
+  /// Compares the result on another mesh, transformed back by `back`, with the result on the mesh
+  /// of the subject.
   template <class Back>
   void expect_same(const MeshLists& other, const Subject::Drawing& drawing,
                    const Subject::Drawing& on_other, Back back) {
@@ -67,7 +68,7 @@ class PipelineLaw : public ::testing::TestWithParam<Setting> {
   double tau_ = 0;
   bool corridor_ = false;
   CurveOptions options_;
-  double exact_ = 0;  // of the mesh's size: what counts as no difference
+  double exact_ = 0;  // tolerance, relative to the size of the mesh
   double size_ = 0;
 };
 
@@ -134,7 +135,7 @@ TEST_P(PipelineLaw, OtherStartOfAClosedCurve) {
   }
 }
 
-/// The drawing along mesh edges with a point put on each of its edges.
+/// The drawing with a point inserted on each of its edges.
 SurfaceCurve subdivided(const Surface& surface, const Subject::Drawing& drawing) {
   SurfaceCurve fine{drawing.closed, {}};
   const std::size_t n = drawing.path.size();
@@ -149,10 +150,10 @@ SurfaceCurve subdivided(const Surface& surface, const Subject::Drawing& drawing)
 }
 
 TEST_P(PipelineLaw, SubdividedDrawing) {
-  // At tau = 0 this is the same curve on the same surface. Above, the potential, which is linear in
-  // each triangle, is sampled at more places; these meshes are coarse (L is 15 to 60 edges), so at
-  // tau = 1, where an edge beside the drawing climbs several times its length, the results differ
-  // visibly, and at tau = 0.1 by a fraction of an edge.
+  // At tau = 0 the subdivided drawing is the same curve on the same surface. For tau > 0 the
+  // potential, which is linear in each triangle, is sampled at more points. These meshes are coarse
+  // (L is 15 to 60 edges): at tau = 1 an edge beside the drawing climbs several times its length
+  // and the results differ visibly, at tau = 0.1 by a fraction of an edge.
   const std::vector<double> taus =
       tau_ == 0 ? std::vector<double>{0} : std::vector<double>{corridor_ ? 0.25 : 0.1, tau_};
   const auto opened = OpenedMesh::open(subject_.lists);
@@ -182,7 +183,7 @@ TEST_P(PipelineLaw, SubdividedDrawing) {
 TEST_P(PipelineLaw, OtherOrderOfASet) {
   const auto opened = OpenedMesh::open(subject_.lists);
   const Surface& surface = opened->surface();
-  // Two parts of the first drawing; they do not touch.
+  // Two parts of the first drawing that do not touch.
   const std::vector<VertexId>& path = subject_.drawings.front().path;
   const auto part = [&](double from, double to) {
     const auto n = static_cast<double>(path.size());
@@ -209,7 +210,7 @@ TEST_P(PipelineLaw, OtherOrderOfASet) {
 }
 
 TEST_P(PipelineLaw, AnotherComponentChangesNothing) {
-  // A far and much larger one, and one in the same place.
+  // One component far away and much larger, one at the same place.
   const MeshLists& own = subject_.lists;
   MeshLists far = test::tube(12, 9, 3);
   for (Point& p : far.points) p = 1e3 * size_ * (p + Point(5, 0, 0));
@@ -224,7 +225,8 @@ TEST_P(PipelineLaw, AnotherComponentChangesNothing) {
 }
 
 TEST_P(PipelineLaw, TwoComponentsAreSmoothedAsOne) {
-  // The mesh twice, the drawing on both: both results are that of the mesh alone.
+  // Two copies of the mesh, with the drawing on both: both results equal the result on the mesh
+  // alone.
   const MeshLists& own = subject_.lists;
   const MeshLists both = test::together(own, own, 0);
   const auto opened = OpenedMesh::open(both);
@@ -245,7 +247,7 @@ TEST_P(PipelineLaw, TwoComponentsAreSmoothedAsOne) {
 }
 
 TEST_P(PipelineLaw, InsertAndRemoveLeavesNoTrace) {
-  // Drawings through faces and edges insert vertices; the next drawing must not see them.
+  // Drawings through faces and edges insert vertices, which must not affect the next drawing.
   const auto opened = OpenedMesh::open(subject_.lists);
   CurveSmoother used(opened);
   const SurfaceCurve drawn = test::curve_of(opened->surface(), subject_.drawings.front());

@@ -1,5 +1,5 @@
-// Subjects are what the laws are tried on: generated surfaces of every kind, and real meshes where
-// present.
+// Subjects are the meshes and drawings of the laws: generated surfaces of every kind, and real
+// meshes if present.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,8 @@
 
 namespace talweg::test {
 
-/// A mesh and drawings on it, along its edges. The drawings do not run back beside themselves:
-/// where two valleys lie close together, a hair decides whether a curve takes the short cut between
-/// them.
+/// A mesh and drawings along its edges. A drawing does not run back beside itself: between two
+/// close valleys the smallest difference decides whether a curve takes the short cut.
 struct Subject {
   struct Drawing {
     std::vector<VertexId> path;
@@ -33,8 +32,8 @@ struct Subject {
   std::vector<Drawing> drawings;
 };
 
-/// A smooth displacement without symmetries, so that equal angles, which may be taken in any order,
-/// do not occur.
+/// Displaces a mesh smoothly and without symmetries, so that no two angles are equal; equal angles
+/// may be cleared in any order.
 inline void disturb(MeshLists& lists, double amount) {
   for (Point& p : lists.points) {
     const Point q = p;
@@ -70,7 +69,7 @@ inline MeshLists bent_tube() {
   return lists;
 }
 
-/// Fractions of the vertex count, so that way-points depend on the mesh alone.
+/// The vertex at a fraction of the vertex count, so that way-points depend on the mesh alone.
 inline VertexId vertex_at(const MeshLists& lists, double fraction) {
   return VertexId{static_cast<std::size_t>(fraction * static_cast<double>(lists.points.size()))};
 }
@@ -82,12 +81,13 @@ inline Subject::Drawing draw(const MeshLists& lists, std::vector<double> through
   return {draw_edge_path(mesh.surface(), ways, closed), closed};
 }
 
-/// Names of all subjects, generated ones first.
+/// Names of all subjects, generated subjects first.
 inline std::vector<std::string> subject_names() {
   return {"sphere", "hills", "torus", "tube", "fandisk_14k", "aneurysm_14k"};
 }
 
-/// A closed path around a net of `columns` vertices a row, stepping between `row` and the next.
+/// A closed path around a net with `columns` vertices per row, alternating between `row` and the
+/// next row.
 inline std::vector<VertexId> band(std::uint32_t columns, std::uint32_t row) {
   std::vector<VertexId> path;
   for (std::uint32_t i = 0; i < columns; ++i) {
@@ -99,7 +99,7 @@ inline std::vector<VertexId> band(std::uint32_t columns, std::uint32_t row) {
   return path;
 }
 
-/// Empty lists where a real mesh is absent.
+/// Makes a subject; its lists are empty if a real mesh is absent.
 inline Subject make_subject(const std::string& name) {
   Subject subject;
   if (name == "sphere") {
@@ -126,10 +126,10 @@ inline SurfaceCurve curve_of(const Surface& surface, const Subject::Drawing& dra
   return vertex_curve(surface, drawing.path, drawing.closed);
 }
 
-/// The laws are stated for the paper's method.
+/// Options of the paper's method, for which the laws are stated.
 inline const CurveOptions kPapers{.method = Method::kPaper};
 
-/// The smoothed curve as positions, with what the report says.
+/// The smoothed curve as positions, and its report.
 struct Outcome {
   std::vector<Point> points;
   SmoothingReport report;

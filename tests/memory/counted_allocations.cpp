@@ -1,4 +1,4 @@
-// Every allocation of the process is counted: this program's malloc() and its relatives are those
+// Counts every allocation of the process: malloc() and its relatives are replaced by the functions
 // of the C library with a count.
 #include "counted_allocations.hpp"
 
@@ -52,7 +52,7 @@ void* calloc(std::size_t count, std::size_t bytes) { return counted(__libc_callo
 void* realloc(void* old, std::size_t bytes) {
   uncount(old);
   void* moved = __libc_realloc(old, bytes);
-  if (moved == nullptr && bytes > 0) counted(old);  // it is still there
+  if (moved == nullptr && bytes > 0) counted(old);  // the old block still exists
   return counted(moved);
 }
 void* memalign(std::size_t alignment, std::size_t bytes) {

@@ -1,4 +1,4 @@
-// Bytes that the process has from the allocator.
+// Counted bytes that the process has from the allocator.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 namespace talweg::test {
 
 [[nodiscard]] std::size_t live_bytes();
-/// The most since begin_peak().
+/// The most live bytes since begin_peak().
 [[nodiscard]] std::size_t peak_bytes();
 void begin_peak();
 

@@ -18,8 +18,8 @@ namespace {
 constexpr double kMiB = 1 << 20;
 
 struct Bytes {
-  double kept = 0;  ///< what is there afterwards, beyond what was there before
-  double peak = 0;  ///< likewise, the most meanwhile
+  double kept = 0;  ///< live bytes after the call minus live bytes before
+  double peak = 0;  ///< most live bytes during the call minus live bytes before
 };
 
 Bytes of(const std::function<void()>& work) {
@@ -41,7 +41,7 @@ SurfaceCurve zigzag(const SurfaceMesh& mesh, std::uint32_t size, std::uint32_t p
   return curve;
 }
 
-/// A mesh of 2 size^2 faces is opened, a drawing of so many points set and smoothed.
+/// Opens a mesh of 2 size^2 faces, sets a drawing of `points` points and smooths it.
 struct Stages {
   Bytes open, set, smooth, again;
 
@@ -60,7 +60,7 @@ struct Stages {
   }
 };
 
-// What docs/cost.md promises, in bytes.
+// The bounds of docs/cost.md, in bytes.
 constexpr double kOpenPerFace = 80, kOpeningPerFace = 110;  // kept, and while it is opened
 constexpr double kCurvePerFace = 220;                       // of the first curve and its result
 constexpr double kPerPoint = 8192;                          // of the drawing
@@ -68,7 +68,7 @@ constexpr double kBase = 1 << 20;
 
 class MemoryOf : public testing::TestWithParam<std::pair<std::uint32_t, std::uint32_t>> {};
 
-TEST_P(MemoryOf, EachStageIsWhatIsPromised) {
+TEST_P(MemoryOf, EachStageKeepsTheDocumentedBound) {
   const auto [size, points] = GetParam();
   const double faces = 2.0 * size * size;
   const Stages stages(size, points);
@@ -76,7 +76,7 @@ TEST_P(MemoryOf, EachStageIsWhatIsPromised) {
   EXPECT_LT(stages.open.peak, kOpeningPerFace * faces + kBase);
   EXPECT_LT(stages.set.peak + stages.smooth.peak,
             kCurvePerFace * faces + kPerPoint * points + kBase);
-  // Another tau: nothing of the mesh's size.
+  // A change of tau takes no memory that grows with the mesh.
   EXPECT_LT(stages.again.kept, kPerPoint * points);
   EXPECT_LT(stages.again.peak, kPerPoint * points + kBase);
 }

@@ -1,5 +1,5 @@
-// Distances against CGAL's exact ones: our exact one to rounding, the heat method's by its error
-// and the decrease of that under refinement. The figures are in docs/testing.md.
+// Distances against CGAL's exact distances: Talweg's exact distance agrees to rounding; the error
+// of the heat method is bounded and decreases under refinement. The figures are in docs/testing.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,8 +20,8 @@ namespace {
 
 using test::ExactGeodesics;
 
-/// Exact distance of every vertex to a curve along edges, each of which carries `pieces` sources:
-/// too large by at most (h / 2 pieces)² / 2 d at distance d, h the edge.
+/// The exact distance of every vertex to a curve along edges, with `pieces` sources per edge. The
+/// distance is too large by at most (h / 2 pieces)² / 2 d at distance d, for edges of length h.
 std::vector<double> exact_distance(const MeshLists& lists, const std::vector<VertexId>& path,
                                    bool closed, int pieces) {
   ExactGeodesics exact(lists);
@@ -44,8 +44,8 @@ struct HeatError {
   double largest = 0;  // of the largest distance
 };
 
-/// Of the first exact.size() vertices, with the paper's heat time (10 h²); that of the original
-/// heat method (h²) is printed beside it.
+/// The error at the first exact.size() vertices with the paper's heat time (10 h²). The error with
+/// the original heat time (h²) is printed, too.
 HeatError heat_error(const Surface& surface, const SurfaceCurve& curve,
                      const std::vector<double>& exact) {
   const double scale = *std::max_element(exact.begin(), exact.end());
@@ -65,7 +65,7 @@ HeatError heat_error(const Surface& surface, const SurfaceCurve& curve,
   return errors[0];
 }
 
-/// Every triangle in four; the old vertices keep their numbers, the surface stays the same.
+/// Splits every triangle in four; old vertices keep their numbers, and the surface stays the same.
 MeshLists halved(const MeshLists& lists) {
   const Surface surface = Surface::from_triangles(lists.points.size(), lists.triangles);
   MeshLists fine;
@@ -90,7 +90,7 @@ MeshLists halved(const MeshLists& lists) {
   return fine;
 }
 
-/// The same path on the halved mesh.
+/// The path on the refined mesh.
 std::vector<VertexId> halved(const Surface& coarse, const std::vector<VertexId>& path,
                              bool closed) {
   std::vector<VertexId> fine;
@@ -107,10 +107,10 @@ TEST(ExactOracle, KnowsThePlaneAndTheBox) {
   ExactGeodesics plane(test::grid(8, 6));
   plane.add_source(VertexId{0});
   EXPECT_NEAR(plane.distance(VertexId{6 * 9 + 8}), 10, 1e-12);
-  ExactGeodesics box(test::box());  // from corner to corner: unfold two sides
+  ExactGeodesics box(test::box());  // opposite corners: two sides unfolded
   box.add_source(VertexId{0});
   EXPECT_NEAR(box.distance(VertexId{7}), std::sqrt(5.0), 1e-12);
-  // Between two vertices: from (0.25, 0) to (3, 4) in the plane.
+  // A source between two vertices: from (0.25, 0) to (3, 4) in the plane.
   ExactGeodesics between(test::grid(8, 6));
   between.add_source(VertexId{0}, VertexId{1}, 0.25);
   EXPECT_NEAR(between.distance(VertexId{4 * 9 + 3}), std::hypot(2.75, 4), 1e-8);
@@ -133,7 +133,7 @@ class RealMesh : public ::testing::TestWithParam<const char*> {
 };
 
 TEST_P(RealMesh, OurExactDistanceAgreesToRounding) {
-  // Single points as curves, so that both measure from the same set.
+  // The curves are single points, so that both programs measure from the same set.
   const SurfaceMesh mesh = SurfaceMesh::open(lists_);
   const Surface& surface = mesh.surface();
   ExactGeodesics exact(lists_);
@@ -156,7 +156,7 @@ TEST_P(RealMesh, OurExactDistanceAgreesToRounding) {
 }
 
 TEST_P(RealMesh, HeatDistanceComesCloserUnderRefinement) {
-  // The surface stays, the triangles are halved: the exact distance at old vertices too.
+  // Refinement keeps the surface, so the exact distance at old vertices is unchanged.
   const std::vector<double> exact = exact_distance(lists_, path_, closed_, 4);
   const SurfaceMesh coarse = SurfaceMesh::open(lists_);
   const SurfaceMesh fine = SurfaceMesh::open(halved(lists_));

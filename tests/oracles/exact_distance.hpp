@@ -1,5 +1,4 @@
-// CGAL's exact geodesics (Chen & Han, with the filter of Xin & Wang) stand behind our own types
-// here.
+// CGAL's exact geodesics (Chen & Han, with the filter of Xin & Wang) behind Talweg's types.
 #pragma once
 
 #include <array>
@@ -15,7 +14,8 @@
 
 namespace talweg::test {
 
-/// Exact distances and shortest paths on a polyhedral surface. Vertex ids are those of the lists.
+/// Exact distances and shortest paths on a polyhedral surface. Vertices have the numbers of the
+/// lists.
 class ExactGeodesics {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -30,15 +30,16 @@ class ExactGeodesics {
 
   void add_source(VertexId v) { paths_.add_source_point(vertex(v)); }
 
-  /// A source between two neighbours, at fraction t from the first; a hair inside a face, since
-  /// CGAL 5.5 takes a source on a boundary edge for its mirror image.
+  /// Adds a source between two neighbours, at fraction t from the first. On the boundary the source
+  /// lies slightly inside the face, because CGAL 5.5 takes a source on a boundary edge for its
+  /// mirror image.
   void add_source(VertexId a, VertexId b, double t) {
     Halfedge h = mesh_.halfedge(vertex(a), vertex(b));
     if (mesh_.is_border(h)) {
       h = mesh_.opposite(h);
       t = 1 - t;
     }
-    // A face's barycentrics count from the source of its own halfedge.
+    // The barycentrics of a face begin at the source of its own halfedge.
     constexpr double kHair = 1e-9;
     const Mesh::Face_index face = mesh_.face(h);
     std::array<double, 3> barycentric{};
@@ -56,7 +57,7 @@ class ExactGeodesics {
 
   double distance(VertexId v) { return paths_.shortest_distance_to_source_points(vertex(v)).first; }
 
-  /// Of a point with these weights of the corners of a face.
+  /// The distance of a point with these weights of the corners of a face.
   double distance(FaceId f, const std::array<VertexId, 3>& corners,
                   const std::array<double, 3>& weights) {
     const Mesh::Face_index face(static_cast<Mesh::size_type>(f.index()));
@@ -70,11 +71,10 @@ class ExactGeodesics {
     return paths_.shortest_distance_to_source_points(face, at).first;
   }
 
-  /// What the shortest path from v to the source passes: vertices, and edges by their two ends, of
-  /// which the first is on the left.
+  /// A place of a shortest path: a vertex, or an edge by its two ends, the left end first.
   struct Passage {
     VertexId left, right;  ///< equal at a vertex
-    double from_left = 0;  ///< where, in [0, 1]
+    double from_left = 0;  ///< fraction of the edge, in [0, 1]
   };
   std::vector<Passage> path_from(VertexId v) {
     Recorder recorder{&mesh_, {}};
@@ -88,7 +88,7 @@ class ExactGeodesics {
     std::vector<Passage> passages;
     static VertexId id(Mesh::Vertex_index v) { return VertexId{static_cast<std::uint32_t>(v)}; }
     void operator()(Halfedge h, Kernel::FT from_source) {
-      // The path crosses h out of its face: the source of h is on the right then.
+      // The path leaves the face of h across h, so the source of h is on the right.
       passages.push_back({id(mesh->target(h)), id(mesh->source(h)), 1 - from_source});
     }
     void operator()(Mesh::Vertex_index v) { passages.push_back({id(v), id(v), 0}); }

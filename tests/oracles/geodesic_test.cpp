@@ -1,4 +1,4 @@
-// tau = 0 against CGAL's exact shortest paths.
+// Straightening at tau = 0 against CGAL's exact shortest paths.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,8 +22,8 @@ namespace {
 
 using test::ExactGeodesics;
 
-/// The edge path along one side of the strip of triangles that a shortest path runs through; from
-/// its first vertex to its last.
+/// The edge path along one side of the strip of triangles of a shortest path, from its first vertex
+/// to its last.
 std::vector<VertexId> beside(const std::vector<ExactGeodesics::Passage>& passages, bool left) {
   std::vector<VertexId> path;
   for (const ExactGeodesics::Passage& p : passages) {
@@ -33,8 +33,8 @@ std::vector<VertexId> beside(const std::vector<ExactGeodesics::Passage>& passage
   return path;
 }
 
-/// A bent curve inside the strip: a quarter of the way from the shortest path towards the middles
-/// of the edges that it crosses. No vertex lies between the two.
+/// A bent curve inside the strip: a quarter of the way from the shortest path to the midpoints of
+/// the edges. No vertex lies between the two.
 SurfaceCurve inside_strip(const Surface& surface,
                           const std::vector<ExactGeodesics::Passage>& passages) {
   SurfaceCurve curve;
@@ -48,7 +48,7 @@ SurfaceCurve inside_strip(const Surface& surface,
   return curve;
 }
 
-/// Three faces instead of one, around a new vertex at these barycentrics.
+/// Splits a face into three at these barycentrics.
 void split_face(MeshLists& lists, std::size_t face, const std::array<double, 3>& at) {
   const Triangle t = lists.triangles[face];
   const auto v = static_cast<std::uint32_t>(lists.points.size());
@@ -96,7 +96,7 @@ class Geodesic : public ::testing::TestWithParam<const char*> {
     return straightened(smoother, test::vertex_curve(opened_->surface(), path, false));
   }
   double straightened(CurveSmoother& smoother, const SurfaceCurve& curve) {
-    // With its ends as way-points it is no hand's, so that nothing is left out of it.
+    // With way-points at its ends the curve is no stroke of a hand, so no point is left out.
     smoother.set_curve(curve,
                        {.cap_corners = false,
                         .way_points = {{curve.points.front(), 0}, {curve.points.back(), 0}}});
@@ -136,8 +136,8 @@ TEST_P(Geodesic, NeverShorterThanTheShortestAndEqualFromInsideItsStrip) {
       bends += curve_length(surface, bent) > shortest * (1 + 1e-6) ? 1 : 0;
       const double inside = straightened(smoother, bent);
       EXPECT_NEAR(inside, shortest, 1e-8 * shortest) << s.index() << " to " << t.index();
-      // From a side of the strip a path may leave it, over a vertex where both its angles are less
-      // than pi; mostly it does not.
+      // A path that begins on a side of the strip may leave the strip over a vertex with angles
+      // below pi on both sides; mostly it stays.
       for (const bool left : {true, false}) {
         const auto path = beside(passages, left);
         ASSERT_EQ(path.front(), t);

@@ -1,6 +1,6 @@
-// What we say of a mesh, and what repair makes of it, against CGAL's Polygon_mesh_processing: on
-// meshes with planted defects and on the real ones. Where the two mean different things by a word,
-// only the case is compared in which they mean the same (docs/testing.md).
+// Inspection and repair against CGAL's Polygon_mesh_processing, on meshes with planted defects and
+// on real meshes. If the two programs define a defect differently, only the common case is compared
+// (docs/testing.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,7 +36,7 @@ bool is_manifold(const MeshInspection& found) {
   return !found.non_manifold_edges.found() && !found.non_manifold_vertices.found();
 }
 
-/// The part that each face is in, and how many there are.
+/// The number of the connected part of each face, and the number of parts.
 std::pair<std::vector<std::size_t>, std::size_t> parts_of(Soup::Mesh& mesh) {
   auto part = mesh.add_property_map<Soup::Mesh::Face_index, std::size_t>("f:part").first;
   const std::size_t count = pmp::connected_components(mesh, part);
@@ -45,7 +45,7 @@ std::pair<std::vector<std::size_t>, std::size_t> parts_of(Soup::Mesh& mesh) {
   return {of_face, count};
 }
 
-/// What both count on a manifold with consistent orientation.
+/// Compares the counts on a manifold with consistent orientation.
 void compare_surface(const MeshInspection& ours, Soup::Mesh mesh) {
   pmp::remove_isolated_vertices(mesh);
   EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
@@ -80,11 +80,12 @@ void compare_surface(const MeshInspection& ours, Soup::Mesh mesh) {
   EXPECT_NEAR(ours.edge_length_mean, mean, 1e-10 * mean);
 }
 
-/// Numbers of defects in lists that need not be a surface.
+/// Compares counts of defects in lists that need not be a surface.
 void compare_defects(const MeshLists& lists, const MeshInspection& ours) {
   Soup soup(lists);
   EXPECT_EQ(is_manifold(ours) && !ours.misoriented_edges.found(), soup.is_mesh());
-  // By number, not by position, which is what CGAL compares: so numbers are the positions here.
+  // CGAL compares positions. Duplicate faces are defined by vertex numbers, so the numbers are
+  // passed as positions.
   std::vector<Soup::Kernel::Point_3> numbers;
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
     numbers.emplace_back(static_cast<double>(v), 0, 0);
@@ -107,8 +108,8 @@ void compare_defects(const MeshLists& lists, const MeshInspection& ours) {
   }
 }
 
-/// Faces without area: all that exactly have none, and besides only what rounding cannot tell from
-/// such.
+/// Compares faces without area. All faces of exactly zero area must be found, and besides only
+/// faces within rounding of zero area.
 std::size_t compare_flat_faces(const MeshLists& lists, const MeshInspection& ours) {
   if (ours.non_finite_vertices.found()) return 0;
   const Soup soup(lists);
@@ -125,8 +126,8 @@ std::size_t compare_flat_faces(const MeshLists& lists, const MeshInspection& our
   return flat - exactly;
 }
 
-/// CGAL turns faces so that they agree with a part's first one, we turn the fewer: relative to each
-/// other the faces of a part must come out the same.
+/// Compares reversed faces. CGAL orients a part like its first face, Talweg reverses the fewer
+/// faces, so the relative orientation of the faces of a part must agree.
 void compare_turned(const RepairedMesh& repaired, const Soup& soup, const Soup::Oriented& theirs) {
   auto mesh = soup.mesh();
   const auto [part, count] = parts_of(mesh);
@@ -142,8 +143,9 @@ void compare_turned(const RepairedMesh& repaired, const Soup& soup, const Soup::
   }
 }
 
-/// Orienting and cutting at vertices; at edges of more than two faces CGAL cuts all of them apart,
-/// we leave pairs joined, and of one-sided surfaces it makes two-sided ones with a slit.
+/// Compares orientation and splitting. At an edge of more than two faces CGAL separates all faces
+/// and Talweg keeps pairs joined; a one-sided surface becomes two-sided with a slit in CGAL. These
+/// cases are not compared.
 void compare_orientation(const MeshLists& lists, const MeshInspection& ours) {
   Soup soup(lists);
   const Soup::Oriented theirs = soup.orient();
@@ -166,8 +168,8 @@ void compare_orientation(const MeshLists& lists, const MeshInspection& ours) {
   compare_surface(inspect(repaired.lists), soup.mesh());
 }
 
-/// Whatever was wrong: what repair calls usable is a mesh for CGAL, and has the parts and loops
-/// that it counts. Not so many faces may name a vertex twice that none is left.
+/// A repaired mesh with the verdict usable must be a mesh for CGAL, with the same numbers of parts
+/// and loops. The mesh must have faces left that name three different vertices.
 void compare_repaired(const MeshLists& lists, const MeshInspection& ours) {
   if (ours.indices_out_of_range.found() || ours.non_finite_vertices.found() ||
       lists.triangles.empty()) {
@@ -182,8 +184,7 @@ void compare_repaired(const MeshLists& lists, const MeshInspection& ours) {
   if (soup.is_mesh()) compare_surface(after, soup.mesh());
 }
 
-/// Vertices at one position: welded like CGAL's, but where they lie so near that rounding is to
-/// blame, and where splitting would part them again.
+/// Compares welding of vertices at equal positions. Welding within the tolerance is not compared.
 void compare_welding(const MeshLists& lists, const MeshInspection& ours) {
   if (ours.indices_out_of_range.found() || ours.non_finite_vertices.found() ||
       lists.triangles.empty()) {
@@ -209,7 +210,8 @@ void compare_welding(const MeshLists& lists, const MeshInspection& ours) {
   EXPECT_EQ(different.size(), ours_of_theirs.size()) << "more was welded";
 }
 
-/// Number of faces that are flat for us and not exactly.
+/// Compares everything. Returns the number of faces that are flat for Talweg but have an exact
+/// area.
 std::size_t compare(const MeshLists& lists) {
   const MeshInspection ours = inspect(lists);
   compare_defects(lists, ours);

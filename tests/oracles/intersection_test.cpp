@@ -1,5 +1,5 @@
-// Where curves meet, and what a cut makes of a mesh, against CGAL's exact predicates. Meshes lie in
-// the plane and points on a lattice that doubles hold exactly, so nothing is rounded on the way.
+// Contacts of curves and cut meshes against CGAL's exact predicates. Meshes lie in the plane and
+// points on a lattice that doubles represent exactly, so nothing is rounded.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -33,20 +33,20 @@ using stress::Random;
 using test::Soup;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
-/// Unit squares scaled so that lattice points of their triangles have whole coordinates.
+/// A grid scaled so that the lattice points of its triangles have whole coordinates.
 MeshLists lattice_grid(std::uint32_t size, std::int64_t parts) {
   MeshLists lists = test::grid(size, size);
   for (Point& p : lists.points) p *= static_cast<double>(parts);
   return lists;
 }
 
-/// A curve, and its points where they exactly are.
+/// A curve, and the exact positions of its points.
 struct LatticeCurve {
   SurfaceCurve curve;
   std::vector<Exact::Point_2> at;
 };
 
-/// Puts random points of the lattice with `parts` places on a side of each triangle.
+/// Makes random points of a lattice with `parts` places on each side of a triangle.
 class Lattice {
  public:
   Lattice(const SurfaceMesh& mesh, std::int64_t parts) : mesh_(mesh), parts_(parts) {}
@@ -82,7 +82,7 @@ class Lattice {
     return result;
   }
 
-  /// From a side of a face to another one, into any face that is there.
+  /// A curve of `segments` segments that wanders from face to face.
   LatticeCurve wandering(std::size_t segments, Random& random) const {
     LatticeCurve result;
     FaceId face{random.below(mesh_.surface().face_count())};
@@ -119,7 +119,7 @@ bool next_to_each_other(const ExactSegment& s, const ExactSegment& t) {
   return s.curve == t.curve && (s.number + 1 == t.number || t.number + 1 == s.number);
 }
 
-/// The curves of which two segments cross, each through the inside of the other.
+/// The curves with segments that cross properly, each through the inside of the other.
 std::vector<std::size_t> exactly_crossing(const std::vector<ExactSegment>& all) {
   std::set<std::size_t> crossing;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -144,7 +144,7 @@ std::ostream& operator<<(std::ostream& out, const Places& places) {
   return out << places.count << " places, " << places.stretches << " of them stretches";
 }
 
-/// The connected parts of what the segments pass more than once.
+/// The connected parts of the set that segments pass more than once.
 Places exact_contacts(const std::vector<ExactSegment>& all) {
   using Common = std::variant<Exact::Point_2, Exact::Segment_2>;
   std::vector<Common> common;
@@ -191,7 +191,8 @@ std::vector<SurfaceCurve> on_surface(const std::vector<LatticeCurve>& curves) {
   return result;
 }
 
-/// On a coarse lattice much touches, overlaps and ends on each other; on a fine one all is generic.
+/// On a coarse lattice many segments touch, overlap and end on each other; a fine lattice gives
+/// generic positions.
 class Meeting : public ::testing::TestWithParam<std::int64_t> {};
 
 TEST_P(Meeting, SegmentsInFacesAsExactly) {
@@ -239,7 +240,7 @@ TEST_P(Meeting, CurvesOverManyFacesAsExactly) {
   EXPECT_GT(contacts, 100);
 }
 
-/// Edges of the chains, by the numbers of their ends.
+/// The edges of the chains, by the numbers of their ends.
 std::set<std::pair<std::size_t, std::size_t>> edges_of(const std::vector<CutMesh::Chain>& chains) {
   std::set<std::pair<std::size_t, std::size_t>> edges;
   for (const auto& [closed, vertices] : chains) {
@@ -250,7 +251,7 @@ std::set<std::pair<std::size_t, std::size_t>> edges_of(const std::vector<CutMesh
   return edges;
 }
 
-/// Which connected part each face is in when no way leads over some edges.
+/// The number of the connected part of each face if some edges separate faces.
 template <class IsBetween>
 std::vector<std::size_t> parts_between(Soup::Mesh& mesh, const IsBetween& is_between) {
   auto border = mesh.add_property_map<Soup::Mesh::Edge_index, bool>("e:border", false).first;
@@ -263,7 +264,7 @@ std::vector<std::size_t> parts_between(Soup::Mesh& mesh, const IsBetween& is_bet
   return result;
 }
 
-/// The same division, whatever the numbers.
+/// Whether two numberings describe the same division.
 template <class A, class B>
 bool same_division(const std::vector<A>& a, const std::vector<B>& b) {
   std::map<A, B> there;
@@ -331,7 +332,7 @@ TEST(FaceTriangulationOracle, TurnsLeftEverywhereAndItsSegmentsDoNotCross) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     FaceTriangulation ours({{{0, 0}, {1, 0}, {random.uniform(-1, 2), random.scale(1e-3, 1)}}});
-    // Of a coarse lattice, of the finest one, and crowded about one point of it.
+    // Points of a coarse lattice, of the finest lattice, or crowded around one lattice point.
     const int kind = static_cast<int>(random.below(3));
     const auto count = static_cast<std::int64_t>(kind == 0 ? 8 : kind == 1 ? kOne : 16);
     const std::int64_t unit = kind == 0 ? kOne / 8 : 1, corner = kind == 2 ? kOne / 3 : 0;
@@ -354,7 +355,7 @@ TEST(FaceTriangulationOracle, TurnsLeftEverywhereAndItsSegmentsDoNotCross) {
       segments.push_back({a, b});
     }
     ours.improve();
-    // Barycentrics 1 and 2 as coordinates; of 40 bits, so doubles hold them.
+    // Barycentrics 1 and 2 are the coordinates, with 40 bits, so doubles represent them.
     std::vector<Kernel::Point_2> at;
     Triangulation theirs;
     std::vector<Triangulation::Vertex_handle> handles;
@@ -395,7 +396,7 @@ TEST(RegionsOracle, PartsOfLabelsAreConnectedComponents) {
     const MeshLists lists = stress::random_mesh(random);
     if (inspect(lists).verdict != MeshVerdict::kUsable) continue;  // a one-sided strip
     const SurfaceMesh mesh = SurfaceMesh::open(lists);
-    // Slabs, and single faces of any other label.
+    // The labels are slabs, and single faces with any other label.
     const Point across(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     const double width = random.uniform(0.2, 2);
     std::vector<std::int64_t> labels;

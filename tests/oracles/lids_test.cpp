@@ -1,5 +1,5 @@
-// Pieces that a cut leaves and their lids, against CGAL: closed manifolds that do not cross
-// themselves, as long as the mesh did not before; and the test of two triangles behind that.
+// Pieces of a cut with lids, against CGAL: closed manifolds without self-intersections if the mesh
+// had none; and the predicate for two triangles.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,7 +32,7 @@ namespace {
 using stress::Random;
 using test::Soup;
 
-/// A loop about a vertex, along edges: jagged.
+/// A jagged loop around a vertex, along edges.
 std::optional<SurfaceCurve> loop_about(const SurfaceMesh& mesh, Random& random) {
   const VertexId v{random.below(mesh.points().size())};
   const FaceId face = faces_at(mesh.surface(), SurfacePoint::at_vertex(mesh.surface(), v)).front();
@@ -47,7 +47,7 @@ std::optional<SurfaceCurve> loop_about(const SurfaceMesh& mesh, Random& random) 
         mesh, test::circle(mesh.point(v), r * u, stretch * r * n.cross(u), 5 + random.below32(10)),
         true);
   } catch (const Error&) {
-    return std::nullopt;  // fewer than three different vertices, or on other parts
+    return std::nullopt;  // fewer than three different vertices, or vertices of other parts
   }
 }
 
@@ -55,7 +55,7 @@ struct Count {
   std::size_t pieces = 0, closed = 0, touching = 0, refused = 0, lids_with_points = 0;
 };
 
-/// Pairs of faces that meet, one of them from `first` on.
+/// The number of pairs of intersecting faces, one of them with a number from `first` on.
 std::size_t meetings(const Soup::Mesh& mesh, std::size_t first) {
   std::vector<std::pair<Soup::Mesh::Face_index, Soup::Mesh::Face_index>> pairs;
   CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(
@@ -93,7 +93,7 @@ void check_pieces(const SurfaceMesh& mesh, const SurfaceCurve& curve, Count& cou
       ++count.closed;
     }
     if (lids.with_inner > 0) ++count.lids_with_points;
-    // Two lids over the two sides of one cut lie on each other, which CGAL calls meeting.
+    // Two lids of one cut lie on each other, which CGAL counts as an intersection.
     if (lids.filled == 1 && meetings(theirs, faces) > 0) ++count.touching;
   }
 }
@@ -103,7 +103,7 @@ void report(const Count& count) {
               count.pieces, count.closed, count.lids_with_points, count.refused, count.touching);
 }
 
-/// Waves on a surface, no two of them alike.
+/// Adds waves without symmetries to a surface.
 MeshLists rough(MeshLists lists, double height, double wavelength) {
   for (Point& p : lists.points) {
     const Point q = p / wavelength;
@@ -135,7 +135,7 @@ TEST(LidsOracle, CloseManifoldsThatDoNotCrossThemselves) {
       try {
         check_pieces(opened->mesh(), smooth_curve(opened, *loop, options).curve(), count);
       } catch (const Error&) {
-        continue;  // there and back along the same edges: no loop to be smoothed
+        continue;  // the loop runs back along its own edges
       }
     }
     std::printf("%s:\n", name);
@@ -182,7 +182,7 @@ TEST(LidsOracle, OfRealMeshes) {
   }
 }
 
-/// On a lattice triangles touch, overlap and share corners again and again.
+/// On a lattice triangles often touch, overlap and share corners.
 TEST(TriangleContactOracle, IsCertainOnlyOfWhatIsApart) {
   using K = Soup::Kernel;
   std::size_t apart = 0, said = 0;

@@ -1,4 +1,4 @@
-// Offsets against CGAL's exact distances, at their points.
+// The points of offsets against CGAL's exact distances.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -22,7 +22,7 @@ TEST_P(OffsetOracle, PointsHaveTheDistance) {
       test::read_reference_mesh(test::mesh_folder() / (std::string(GetParam()) + ".ply"));
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
   const Surface& surface = mesh.surface();
-  // Single points as curves, so that both measure from the same set.
+  // The curves are single points, so that both programs measure from the same set.
   test::ExactGeodesics exact(lists);
   std::vector<SurfaceCurve> points;
   for (std::size_t i = 0; i < reference->path.size(); i += 20) {

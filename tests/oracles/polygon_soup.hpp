@@ -1,4 +1,4 @@
-// A polygon soup is raw lists as CGAL's Polygon_mesh_processing takes them.
+// A polygon soup has raw lists in the form of CGAL's Polygon_mesh_processing.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace talweg::test {
 
-/// Faces with three different vertices that exist; numbers of vertices are those of the lists.
+/// The faces with three different existing vertices. Vertices have the numbers of the lists.
 struct Soup {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -38,9 +38,9 @@ struct Soup {
     return CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons);
   }
 
-  /// What CGAL met on its way.
+  /// The result of orienting by CGAL.
   struct Oriented {
-    bool succeeded = false;  ///< without a vertex more
+    bool succeeded = false;  ///< whether no vertex was added
     std::set<std::pair<std::size_t, std::size_t>> crowded_edges;
     std::set<std::size_t> singular_vertices;
     std::vector<bool> turned;  ///< per polygon
@@ -55,7 +55,7 @@ struct Soup {
     return result;
   }
 
-  /// Of a soup that is one; face i of it is polygon i.
+  /// The mesh of a soup that is a mesh; face i is polygon i.
   [[nodiscard]] Mesh mesh() const {
     Mesh result;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, polygons, result);
@@ -64,7 +64,7 @@ struct Soup {
 
   std::vector<Kernel::Point_3> points;
   std::vector<Polygon> polygons;
-  std::vector<std::size_t> face;  ///< of the lists, per polygon
+  std::vector<std::size_t> face;  ///< per polygon, its face in the lists
 
  private:
   struct Visitor : CGAL::Polygon_mesh_processing::Default_orientation_visitor {

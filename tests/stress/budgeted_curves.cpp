@@ -33,8 +33,9 @@ bool was_used_up(const SmoothingResult& result) {
          });
 }
 
-/// The reports of curves that were not measured to the end. Of drawings with way-points only
-/// strokes count, and nothing here knows which these are.
+/// Checks the deviations in reports of curves that were not measured to the end; returns a fault or
+/// "". Drawings with way-points are not checked: only strokes count there, and strokes are not
+/// known here.
 std::string tells_too_little(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
                              const SmoothingResult& result) {
   DeviationMeter meter(mesh);
@@ -46,8 +47,8 @@ std::string tells_too_little(const SurfaceMesh& mesh, std::span<const SurfaceCur
     if (std::isinf(told)) continue;
     const double exact =
         meter.measure(std::span(&result.curves[c], 1), drawn.subspan(c, 1)).larger().max;
-    // The meter promises 1e-3 of the distance or of a mean segment. What was left out of the
-    // drawing is told by itself.
+    // The meter is exact up to 1e-3 of the distance or of a mean edge. Points left out of the
+    // drawing are reported separately.
     const double most = told + report.left_out_max;
     if (exact > most * (1 + 2e-3) + 2e-3 * mesh.mean_edge_length()) {
       return fmt::format("curve {} is {:.6g} away, not {:.6g}", c, exact, told);

@@ -1,4 +1,4 @@
-// Budgeted curves are what is smoothed with a random budget of counted work.
+// Budgeted curves are smoothed with a random budget of counted work.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace talweg::stress {
 
-/// Smooths the curves that are set with a budget, within `bound` (mesh units) unless that is 0:
-/// twice the same; without it nothing has changed; where no budget was used up, the result is as
-/// without; the deviations that are told are not smaller than the true ones. Says what does not
-/// hold; empty where everything does.
+/// Smooths the set curves with a budget, within `bound` (mesh units) unless it is 0, and checks:
+/// the result is the same twice; a later run without a budget is unaffected; a budget that is not
+/// used up changes nothing; reported deviations are not smaller than the true ones. Returns a
+/// sentence on the first check that fails, or "".
 std::string breaks_its_budget(CurveSmoother& smoother, SmoothingOptions options, double bound,
                               Random& random);
 

@@ -14,7 +14,7 @@
 namespace talweg::stress {
 namespace {
 
-/// What is wrong with a piece and its lids.
+/// A sentence on the first fault of a piece and its lids, or "".
 std::string fault_of(const Piece& before, const Piece& part, const Lids& lids) {
   const MeshInspection old = inspect(before.lists), found = inspect(part.lists);
   if (old.verdict != MeshVerdict::kUsable) return "a piece is not usable: " + old.reason;

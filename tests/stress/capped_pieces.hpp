@@ -1,4 +1,4 @@
-// Capped pieces are meshes cut along random results, and the pieces closed.
+// Capped pieces are the pieces of meshes cut along random results, closed by lids.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@
 namespace talweg::stress {
 
 struct CappedPieces {
-  std::string broken;  ///< what did not hold; empty where everything did
+  std::string broken;  ///< the first check that failed, or empty
   std::size_t pieces = 0, lids = 0, refused = 0;
 };
 
-/// Cuts along the curves, closes every piece by lids of a random kind, and inspects it: a manifold
-/// that can be opened, without the rims that lids have closed, and with what it had before. Lids
-/// may be refused, by a sentence that names rim and curve; the piece is as it was then.
+/// Cuts along the curves, closes every piece by lids of a random kind, and checks it: an openable
+/// manifold without the closed rims and with everything it had before. Lids may be refused by a
+/// sentence that names rim and curve; the piece is then unchanged.
 CappedPieces cap_pieces(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                         Random& random);
 

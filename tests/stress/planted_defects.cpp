@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::uint32_t size_of(const auto& list) { return static_cast<std::uint32_t>(list.size()); }
 
-/// A smooth displacement without symmetries.
+/// Displaces a mesh smoothly and without symmetries.
 void disturb(MeshLists& lists, double amount) {
   for (Point& p : lists.points) {
     const Point q = p;
@@ -27,7 +27,7 @@ void disturb(MeshLists& lists, double amount) {
   }
 }
 
-/// Faces of the unit box cut into four `levels` times.
+/// The unit box with faces cut into four `levels` times.
 MeshLists divided_box(int levels) {
   MeshLists lists = test::box();
   for (int level = 0; level < levels; ++level) {
@@ -46,7 +46,8 @@ MeshLists divided_box(int levels) {
       face(5, 4, 2);
       face(3, 4, 5);
     }
-    // Corners at one place are one vertex: coordinates are sums of halves, so they are equal.
+    // Corners at equal positions become one vertex. Coordinates are sums of halves, so equal
+    // positions are exactly equal.
     lists = {};
     std::vector<std::uint32_t> number(finer.points.size());
     for (std::size_t v = 0; v < finer.points.size(); ++v) {
@@ -69,7 +70,7 @@ Point& any_point(MeshLists& lists, Random& random) {
   return lists.points[random.below(lists.points.size())];
 }
 
-/// Puts a new vertex into a face at these barycentrics: three faces instead of it.
+/// Splits a face into three by a new vertex at these barycentrics.
 void split_face(MeshLists& lists, std::size_t face, const std::array<double, 3>& at) {
   const Triangle t = lists.triangles[face];
   const std::uint32_t v = size_of(lists.points);
@@ -104,7 +105,7 @@ void isolated_vertex(MeshLists& lists, Random& random) {
   const Point p = any_point(lists, random);
   lists.points.push_back(random.one_in(2) ? p : Point(p + Point(3, -2, 5)));
 }
-/// At the front, so that all ids move.
+/// Adds an isolated vertex at the front, so that all ids move.
 void isolated_first(MeshLists& lists, Random& random) {
   lists.points.insert(lists.points.begin(), Point(any_point(lists, random)));
   for (Triangle& t : lists.triangles) {
@@ -125,7 +126,7 @@ void cap_split(MeshLists& lists, Random& random) {
   const double e = random.scale(1e-16, 1e-2);
   split_face(lists, random.below(lists.triangles.size()), {1 - 2 * e, e, e});
 }
-/// Many needles in one place: a face split again and again beside the same side.
+/// Many needles in one place: a face is split repeatedly beside the same side.
 void needle_fan(MeshLists& lists, Random& random) {
   const std::size_t face = random.below(lists.triangles.size());
   const double ratio = random.scale(1e-6, 0.5);
@@ -193,7 +194,7 @@ void second_component(MeshLists& lists, Random& random) {
   lists = test::together(std::move(lists), random_mesh(random), dx);
 }
 void large_offset(MeshLists& lists, Random& random) {
-  Point shift;  // one after the other: the order in which arguments are computed is the compiler's
+  Point shift;  // a loop fixes the order of the random numbers; argument evaluation does not
   for (double& x : shift) x = random.uniform(-5e6, 5e6);
   for (Point& p : lists.points) p += shift;
 }
@@ -210,7 +211,7 @@ void flattened(MeshLists& lists, Random& random) {
   const double factor = random.one_in(2) ? 0 : random.scale(1e-16, 1e-3);
   for (Point& p : lists.points) p.z() *= factor;
 }
-/// Two sheets of surface as near to each other as nothing.
+/// Folds the surface: two sheets at almost no distance.
 void fold(MeshLists& lists, Random& random) {
   const double x = any_point(lists, random).x(), width = random.scale(1e-13, 1e-6);
   for (Point& p : lists.points) {
@@ -267,7 +268,7 @@ constexpr Defect kDefects[] = {
     {"no faces", no_faces},
 };
 
-/// The planters follow the indices of the faces.
+/// Whether defects can be planted: the planters use the indices of faces.
 bool can_be_planted_into(const MeshLists& lists) {
   const std::uint32_t count = size_of(lists.points);
   return !lists.triangles.empty() && count > 0 &&
@@ -283,7 +284,7 @@ MeshLists random_mesh(Random& random) {
   const auto size = [&](std::size_t least, std::size_t most) {
     return static_cast<std::uint32_t>(least + random.below(most - least + 1));
   };
-  // In braces, which fix the order, unlike parentheses.
+  // Braces fix the order of evaluation, unlike parentheses.
   const auto sizes = [&](std::array<std::uint32_t, 4> b) {
     return std::array{size(b[0], b[1]), size(b[2], b[3])};
   };

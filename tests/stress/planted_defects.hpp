@@ -1,4 +1,4 @@
-// Planted defects are every one that a mesh can have, at random places of clean meshes.
+// Planted defects are all kinds of mesh defects, at random places of clean meshes.
 #pragma once
 
 #include <span>
@@ -12,14 +12,14 @@ namespace talweg::stress {
 /// A clean mesh of 100 to 2,000 faces: sphere, sheet, torus, tube, box, flat grid, one-sided strip.
 MeshLists random_mesh(Random& random);
 
-/// Plants one defect, or a harmless oddity, into the mesh. Places are taken anew for every call.
+/// Plants one defect, or a harmless oddity, into the mesh, at new places in every call.
 struct Defect {
   const char* name;
   void (*plant)(MeshLists& lists, Random& random);
 };
 std::span<const Defect> defects();
 
-/// None to three of them; their names, for the log.
+/// Plants up to three defects. Returns their names, for the log.
 std::string plant_some(MeshLists& lists, Random& random);
 
 }  // namespace talweg::stress

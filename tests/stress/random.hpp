@@ -1,4 +1,4 @@
-// Random numbers are the same with every compiler and library.
+// Random numbers that are the same with every compiler and library.
 #pragma once
 
 #include <cmath>
@@ -18,12 +18,12 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
     return z ^ (z >> 31);
   }
-  /// In [0, 1).
+  /// A number in [0, 1).
   double unit() { return static_cast<double>(next() >> 11) * 0x1p-53; }
   double uniform(double low, double high) { return low + (high - low) * unit(); }
-  /// In [low, high], low > 0, evenly over the orders of magnitude.
+  /// A number in [low, high], low > 0, uniform in the logarithm.
   double scale(double low, double high) { return low * std::pow(high / low, unit()); }
-  /// In [0, count), count > 0.
+  /// A number in [0, count), count > 0.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
   std::uint32_t below32(std::size_t count) { return static_cast<std::uint32_t>(below(count)); }
   bool one_in(std::size_t count) { return below(count) == 0; }

@@ -42,7 +42,7 @@ Point position_of(const SurfaceMesh& mesh, const FaceCoordinates& at) {
   return p;
 }
 
-/// Neighbour after neighbour, without looking where it has been.
+/// A random walk along edges; vertices may repeat.
 Ids walk(const Surface& surface, Random& random, std::size_t steps) {
   Ids path;
   HalfedgeId h{random.below(surface.halfedge_count())};
@@ -58,7 +58,7 @@ Ids walk(const Surface& surface, Random& random, std::size_t steps) {
   return path;
 }
 
-/// The boundary loop that comes first, or nothing.
+/// A boundary loop; empty for a closed mesh.
 Ids boundary(const Surface& surface, Random& random) {
   const std::size_t start = random.below(surface.halfedge_count());
   for (std::size_t i = 0; i < surface.halfedge_count(); ++i) {
@@ -82,7 +82,8 @@ Ids several_vertices(const Surface& surface, Random& random, std::size_t count) 
   return result;
 }
 
-/// A figure with loops, laid over the mesh from one side; every point goes to the nearest face.
+/// A figure with loops, projected onto the mesh from one side; every point goes to the nearest
+/// face.
 std::vector<Point> figure(const SurfaceMesh& mesh, Random& random) {
   Point low = mesh.points().front(), high = low;
   for (const Point& p : mesh.points()) {
@@ -124,12 +125,12 @@ void disturb(List& list, Random& random) {
     const auto at = list.begin() + static_cast<std::ptrdiff_t>(i) + 1;
     list.insert(at, {before, tip});
   }
-  if (random.one_in(6)) {  // a piece the other way round
+  if (random.one_in(6)) {  // a piece reversed
     auto from = place(), to = place();
     if (to < from) std::swap(from, to);
     std::reverse(from, to);
   }
-  if (random.one_in(12)) {  // there and back
+  if (random.one_in(12)) {  // out and back
     const List way = list;
     list.insert(list.end(), way.rbegin(), way.rend());
   }
@@ -224,7 +225,7 @@ CurveInput random_curve(const SurfaceMesh& mesh, Random& random, RandomDrawing& 
   return curve;
 }
 
-/// What a hand and a device make of a way on the mesh; empty where there is no room.
+/// A stroke of a hand and a device around a path on the mesh; empty if there is no room.
 CurveInput hand_drawn(const SurfaceMesh& mesh, Random& random) {
   scenes::Hand hand;
   hand.length = random.scale(4, 60);
@@ -253,7 +254,7 @@ CurveInput hand_drawn(const SurfaceMesh& mesh, Random& random) {
 
 RandomDrawing random_drawing(const SurfaceMesh& mesh, Random& random) {
   RandomDrawing drawing;
-  Random own = random;  // so that the other drawings stay what they were before there were hands
+  Random own = random;  // strokes of hands must not change the other drawings of a seed
   if (own.one_in(6)) {
     drawing.curves = {hand_drawn(mesh, own)};
     drawing.kind = "hand ";

@@ -1,4 +1,4 @@
-// Random curves are of every kind, as a file or a host gives them.
+// Random curves of every kind that a file or a host can give.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ namespace talweg::stress {
 struct RandomDrawing {
   std::string kind;
   std::vector<CurveInput> curves;
-  bool connect = false;  ///< vertex ids are joined by straight lines
+  bool connect = false;  ///< whether vertex ids are joined by straight lines
 };
 
-/// Open or closed; along edges, through faces, from positions on and off the surface, along and
-/// touching boundaries; with repeats, spikes and pieces reversed; of one point and of many; one
+/// Open or closed curves along edges, through faces, from positions on and off the surface, along
+/// and touching boundaries; with repeats, spikes and reversed pieces; of one point or many; one
 /// curve or several.
 RandomDrawing random_drawing(const SurfaceMesh& mesh, Random& random);
 

@@ -33,7 +33,7 @@ Labels stripes(const SurfaceMesh& mesh, Random& random) {
   return labels;
 }
 
-/// Per face.
+/// Random labels per face; `what` names their kind.
 Labels random_labels(const SurfaceMesh& mesh, Random& random, std::string& what) {
   Labels labels;
   if (random.one_in(3)) {
@@ -77,9 +77,9 @@ bool is_on_boundary(const Surface& surface, const SurfacePoint& point) {
   return e != nullptr && surface.on_boundary(e->edge);
 }
 
-/// Whether a border may follow the mesh's boundary, so that it is no border there.
+/// Whether a border may end up on the boundary of the mesh, where it separates no labels.
 bool may_follow_boundary(const Surface& surface, const LabelNetwork& network) {
-  if (network.moved > 0) return true;  // an end has slid along it
+  if (network.moved > 0) return true;  // an end may have slid along the boundary
   return std::any_of(
       network.borders.begin(), network.borders.end(), [&](const SmoothedBorder& border) {
         const std::vector<SurfacePoint>& points = border.border.curve.points;
@@ -133,7 +133,7 @@ std::string fault_of_borders(const SurfaceMesh& mesh, std::span<const LabelBorde
       if (!mesh.position(point).allFinite()) return "a position is not finite";
     }
     if (!options.max_deviation || network.borders[c].as_drawn) continue;
-    // The meter promises 1e-3 of the distance or of a mean segment.
+    // The meter is exact up to 1e-3 of the distance or of a mean edge.
     const SurfaceDeviation apart =
         meter.measure(std::span(&curves[c], 1), std::span(&drawn[c].curve, 1));
     if (apart.larger().max > *options.max_deviation * (1 + 2e-3) + 2e-3 * mesh.mean_edge_length()) {

@@ -40,7 +40,7 @@ struct Hash {
   void add(const std::string& text) { add(text.data(), text.size()); }
 };
 
-/// A sentence that says where: it has a number in it, or the whole mesh or all curves are meant.
+/// Whether an error names a place: by a number, or by words for the whole mesh.
 bool names_the_place(const std::string& sentence) {
   const bool number = std::any_of(sentence.begin(), sentence.end(),
                                   [](unsigned char c) { return std::isdigit(c) != 0; });
@@ -62,8 +62,8 @@ std::shared_ptr<const OpenedMesh> open_or_repair(MeshLists lists, RunOutcome& ou
   try {
     auto opened = OpenedMesh::open(repair(lists).lists);
     outcome.refusal.clear();
-    // A one-sided surface may fall apart into two-sided ones when flat faces are dropped, and some
-    // of many flat faces may stay.
+    // Dropping flat faces may split a one-sided surface into two-sided ones, and some of many flat
+    // faces may stay.
     if (found.verdict != MeshVerdict::kRepairable &&
         found.reason.find("one-sided") == std::string::npos &&
         found.reason.find("No face has an area") == std::string::npos) {
@@ -73,7 +73,7 @@ std::shared_ptr<const OpenedMesh> open_or_repair(MeshLists lists, RunOutcome& ou
   } catch (const Error& error) {
     outcome.refusal = error.what();
     if (!names_the_place(outcome.refusal)) outcome.broken = "refused without a place";
-    // That a surface has one side only may show when its other defects are gone.
+    // A surface may turn out one-sided only after its other defects are repaired.
     const bool one_sided = outcome.refusal.find("opposite orientation") != std::string::npos;
     if (found.verdict == MeshVerdict::kRepairable && !one_sided) {
       outcome.broken = "called repairable, but not repaired: " + found.reason;
@@ -99,8 +99,8 @@ void check_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, const Surfa
     }
   }
   if (result.closed || may_lack_ends) return;
-  // A point as near to a vertex as rounding is that vertex. Measured inside the face: far from the
-  // origin positions are rounded by more.
+  // A point within rounding of a vertex is that vertex. The distance is measured inside the face,
+  // because positions far from the origin have a larger rounding.
   const auto moved = [&](const SurfacePoint& from, const SurfacePoint& to) {
     const FaceId face = common_face(surface, from, to);
     if (!face.valid()) return true;
@@ -141,7 +141,7 @@ bool warns(const SmoothingResult& result, const std::string& words) {
   });
 }
 
-/// How far clicks may lie from one with which they are one, mesh units.
+/// The largest distance between clicks that are merged, mesh units.
 double largest_click_distance(const CurveSmoother& smoother) {
   double most = 0;
   for (const SurfaceCurve& curve : smoother.drawn()) {
@@ -150,7 +150,7 @@ double largest_click_distance(const CurveSmoother& smoother) {
   return 1.05 * most;
 }
 
-/// Whatever else is given up, clicks are passed, or a warning says that they are not.
+/// Checks that the result passes all clicks, or a warning names the clicks that it misses.
 void check_way_points(const CurveSmoother& smoother, const SmoothingResult& result,
                       RunOutcome& outcome) {
   const auto& way_points = smoother.curve_options().way_points;
@@ -213,7 +213,7 @@ SmoothingOptions random_options(const SurfaceMesh& mesh, Random& random, std::st
   return options;
 }
 
-/// Cuts along the result, and closes what that leaves.
+/// Cuts along the result and caps the pieces.
 void cap(const SurfaceMesh& mesh, const SmoothingResult& result, Random& random,
          RunOutcome& outcome) {
   allow(1, result.total.faces, result.total.points_after, outcome);
@@ -228,7 +228,7 @@ void cap(const SurfaceMesh& mesh, const SmoothingResult& result, Random& random,
   }
 }
 
-/// Makes some points of a drawing clicks, with a tolerance or without, and paints a few.
+/// Marks some points of a drawing as clicks, with or without a tolerance, and some as painted.
 void mark_some(const SurfaceMesh& mesh, const SnappedCurve& snapped, Random& random,
                CurveOptions& curve_options) {
   for (const SurfacePoint& point : snapped.points) {
@@ -241,7 +241,7 @@ void mark_some(const SurfaceMesh& mesh, const SnappedCurve& snapped, Random& ran
   }
 }
 
-/// What is drawn does not depend on them.
+/// Random numbers for other choices, on which the drawing does not depend.
 struct OtherChoices {
   Random clicks, budgets, labels;
 };
@@ -320,7 +320,7 @@ void smooth_random(const std::shared_ptr<const OpenedMesh>& opened, Random& rand
 void smooth_labels_too(const std::shared_ptr<const OpenedMesh>& opened, Random& random,
                        RunOutcome& outcome) {
   const LabelRun run = random_label_run(opened, random);
-  constexpr double kSmoothings = 8;  // up to four rungs, with a cut for each
+  constexpr double kSmoothings = 8;  // up to four attempts, each with a cut
   const std::size_t faces = opened->surface().face_count();
   outcome.what += " | labels " + run.what;
   outcome.broken = run.broken;

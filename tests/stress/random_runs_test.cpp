@@ -1,4 +1,4 @@
-// Some of the random runs of talweg-stress, so that every change meets them.
+// Some random runs of talweg-stress, for every change.
 #include <gtest/gtest.h>
 
 #include "stress/random_run.hpp"
@@ -18,22 +18,22 @@ TEST_P(RandomRuns, WhateverComesInSomethingSensibleComesOut) {
     lids += outcome.lids;
     smoothed += outcome.end == RunOutcome::End::kSmoothed ? 1U : 0U;
   }
-  EXPECT_GT(smoothed, kRuns / 10);  // else the runs would try little
+  EXPECT_GT(smoothed, kRuns / 10);  // otherwise the runs would test little
   EXPECT_GT(lids, kRuns / 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRuns, testing::Values(1, 61, 121, 181, 241));
 
-/// Each of these showed a fault once.
+/// Each seed once showed a fault.
 TEST(RandomFaults, StayMended) {
   for (const std::uint64_t seed : {
            300875,  // a lasso lost its end
-           301188,  // the same, of one curve
-           310189,  // a budget that was used up was not told
+           301188,  // the same for one curve
+           310189,  // the report did not say that a budget was used up
            310339,  // a loop in doubt did not pass its pin
            409190,  // an end moved on the side of a sliver
-           414354,  // a budget that was used up was told as a curve that cannot be fair
-           415480,  // a border as drawn came to lie on the other side of another one
+           414354,  // the report named a curve that cannot be fair in place of a used-up budget
+           415480,  // an unsmoothed border ended on the wrong side of another border
        }) {
     const RunOutcome outcome = random_run(seed);
     EXPECT_EQ(outcome.broken, "") << "seed " << seed << ": " << outcome.what;

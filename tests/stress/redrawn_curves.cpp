@@ -15,7 +15,7 @@ namespace talweg::stress {
 namespace {
 
 struct Redrawn {
-  std::size_t from = 0;  // which curve it is
+  std::size_t from = 0;  // number of the curve
   bool reversed = false;
   SurfaceCurve curve;
 };
@@ -35,7 +35,7 @@ std::vector<Redrawn> redrawn(std::span<const SurfaceCurve> drawn, Random& random
   return all;
 }
 
-/// But for rounding, which the canonical order leaves out of account.
+/// Whether two points are equal up to rounding, which the canonical order ignores.
 bool are_same(const SurfacePoint& p, const SurfacePoint& q) {
   constexpr double kRounding = 1e-9;
   const auto *e = std::get_if<OnEdge>(&p.where()), *f = std::get_if<OnEdge>(&q.where());
@@ -43,7 +43,7 @@ bool are_same(const SurfacePoint& p, const SurfacePoint& q) {
          (e != nullptr && f != nullptr && e->edge == f->edge && std::abs(e->t - f->t) < kRounding);
 }
 
-/// A curve that comes back the way it went is the same from both ends.
+/// Whether a curve equals its reverse, like a curve that runs out and back.
 bool is_its_own_reverse(const SurfaceCurve& curve) {
   std::vector<SurfacePoint> around = curve.points;
   if (curve.closed) around.insert(around.end(), curve.points.begin(), curve.points.end());

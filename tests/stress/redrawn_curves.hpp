@@ -1,4 +1,4 @@
-// Redrawn curves are the same curves as somebody else would draw them.
+// Redrawn curves are the same curves drawn in another way.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace talweg::stress {
 
-/// Smooths the curves that are set as they are and redrawn: some reversed, closed ones begun
-/// elsewhere, the set listed in another order; within `bound` (mesh units) unless that is 0. Says
-/// what differs by as much as a bit; empty where nothing does.
+/// Smooths the set curves as they are and redrawn: some reversed, loops begun elsewhere, the set in
+/// another order; within `bound` (mesh units) unless it is 0. Returns a sentence on the first
+/// difference, even of one bit, or "".
 std::string differs_when_redrawn(CurveSmoother& smoother, const CurveOptions& curve_options,
                                  const SmoothingOptions& options, double bound, Random& random);
 

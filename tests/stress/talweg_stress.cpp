@@ -1,5 +1,5 @@
-// Random runs, as many as asked for: talweg-stress FIRST COUNT [THREADS]. A run that breaks or
-// takes too long is told by its seed.
+// talweg-stress FIRST COUNT [THREADS] makes COUNT random runs. The seed of a run that fails or
+// takes too long is printed.
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -22,7 +22,7 @@ using talweg::stress::RunOutcome;
 char current[64];
 int current_length = 0;
 
-/// A crash, or a run that does not end: says which seed it was.
+/// On a crash or a timeout, prints the seed.
 void on_signal(int signal) {
   [[maybe_unused]] const auto written =
       write(STDERR_FILENO, current, static_cast<std::size_t>(current_length));
@@ -30,18 +30,18 @@ void on_signal(int signal) {
   std::raise(signal);
 }
 
-constexpr long kLongestSeconds = 120;  // of the processor
+constexpr long kLongestSeconds = 120;  // processor time
 
-/// SIGPROF when the run has used that much; 0 for never.
+/// Raises SIGPROF after this processor time; 0 for never.
 void limit_time(long seconds) {
   const itimerval limit = {{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);
 }
 
-/// Of the processor, all threads: others may use the machine, too.
+/// Processor time of all threads, because other programs may use the machine.
 double seconds_used() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Of small runs nothing is said.
+/// Runs up to this time are never slow.
 constexpr double kFreeSeconds = 1;
 
 bool is_slow(double seconds, const RunOutcome& outcome) {
@@ -69,7 +69,7 @@ void print_longest(std::vector<Time> times, const char* unit, const Value& value
   }
 }
 
-/// Sums over all runs, and what is wrong with each.
+/// Sums over all runs, and the faults of each run.
 struct Tally {
   std::map<std::string, std::size_t> ends;
   std::vector<Time> times;
@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
     double start = seconds_used();
     const RunOutcome outcome = run(seed, threads);
     double seconds = seconds_used() - start;
-    if (is_slow(seconds, outcome)) {  // or the machine was
+    if (is_slow(seconds, outcome)) {  // the machine may have been slow, so the run is repeated
       start = seconds_used();
       run(seed, threads);
       seconds = std::min(seconds, seconds_used() - start);

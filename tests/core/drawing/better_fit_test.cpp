@@ -1,4 +1,4 @@
-// A curve on a lopsided ellipsoid, as it would come from another space, unit or place.
+// Curves on a lopsided ellipsoid, with positions in another space, in another unit, or shifted.
 #include "talweg/core/drawing/better_fit.hpp"
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-/// Of size 20, with its centre here; the half of y > 0 is half as deep.
+/// An ellipsoid of size 20 around a centre; the half with y > 0 is half as deep.
 MeshLists head(const Point& centre) {
   MeshLists lists = test::sphere(4);
   for (Point& p : lists.points) {
@@ -23,7 +23,7 @@ MeshLists head(const Point& centre) {
   return lists;
 }
 
-/// A ring of vertices on its lower side.
+/// A ring of positions on the side of low y.
 std::vector<Point> ring(const SurfaceMesh& mesh, const Point& centre) {
   const ClosestPoint closest(mesh);
   std::vector<Point> points;
@@ -52,7 +52,7 @@ class BetterFit : public testing::Test {
   const Point one_ = Point::Ones(), none_ = Point::Zero();
 };
 
-TEST_F(BetterFit, NamesWhatWouldMakeADrawingFit) {
+TEST_F(BetterFit, NamesTheChangeThatMakesADrawingFit) {
   const auto expect = [&](const Point& factors, const Point& shift, const char* words) {
     const std::string found = of(changed(ring_, factors, shift));
     EXPECT_TRUE(found.starts_with("would fit more than 1000 times better ")) << found;
@@ -84,19 +84,19 @@ TEST_F(BetterFit, NamesTheAxisThatIsUp) {
             "the mesh");
 }
 
-TEST_F(BetterFit, IsNotLookedForWhereADrawingLiesOnItsMesh) {
+TEST_F(BetterFit, IsNotSearchedForADrawingOnItsMesh) {
   EXPECT_EQ(of(ring_), "");
   EXPECT_EQ(of(changed(ring_, one_, Point(0.02, 0.02, -0.02))), "");
 }
 
-TEST_F(BetterFit, IsNoneWhereNothingFits) {
+TEST_F(BetterFit, IsEmptyIfNoChangeFits) {
   EXPECT_EQ(of(changed(ring_, one_, Point(0, -4, 0))), "");
   EXPECT_EQ(of(changed(ring_, Point(1.3, 1.3, 1.3), none_)), "");
   EXPECT_EQ(of({}), "");
   EXPECT_EQ(of({Point(1e300, 0, 0)}), "");
 }
 
-TEST_F(BetterFit, GivesNoAlarmOnSymmetricMeshes) {
+TEST_F(BetterFit, GivesNoFalseAlarmOnSymmetricMeshes) {
   const SurfaceMesh ball = SurfaceMesh::open(test::sphere(4));  // about the origin
   const ClosestPoint closest(ball);
   std::vector<Point> around;
@@ -125,7 +125,7 @@ TEST_F(BetterFit, IsAWarningOrAPartOfTheRefusal) {
         std::string::npos)
         << what;
   }
-  // The same about the origin, where all is nearer.
+  // The same drawing and mesh around the origin, where the distances are shorter.
   const SurfaceMesh mesh = SurfaceMesh::open(head(none_));
   CurveInput near{true, changed(ring(mesh, none_), {-1, -1, 1}, none_), {}};
   near.control_points = true;

@@ -26,7 +26,7 @@ SurfaceCurve drawn_on(const Surface& surface, bool closed) {
   return test::vertex_curve(surface, path, closed);
 }
 
-TEST(CanonicalOrder, IsThatOfTheReversedAndTheTurnedCurve) {
+TEST(CanonicalOrder, IsTheSameForReversedAndRotatedCurves) {
   const auto opened = OpenedMesh::open(disturbed_grid());
   const Surface& surface = opened->surface();
   for (const bool closed : {false, true}) {
@@ -45,7 +45,7 @@ TEST(CanonicalOrder, IsThatOfTheReversedAndTheTurnedCurve) {
   }
 }
 
-/// From whatever point and in whatever direction it is drawn.
+/// Expects the same canonical order for every first point and both directions.
 void expect_one_order(const SurfaceMesh& mesh, SurfaceCurve drawn) {
   const std::vector<SurfacePoint> ordered = in_order(drawn, canonical_order(mesh, drawn)).points;
   for (std::size_t turn = 0; turn < (drawn.closed ? drawn.points.size() : 1); ++turn) {
@@ -59,7 +59,7 @@ void expect_one_order(const SurfaceMesh& mesh, SurfaceCurve drawn) {
   }
 }
 
-TEST(CanonicalOrder, IsOneAlsoWhereAllSegmentsAreEqual) {
+TEST(CanonicalOrder, IsUniqueAlsoForEqualSegments) {
   const auto opened = OpenedMesh::open(grid(7, 7));
   const auto vertices = [&](std::initializer_list<std::uint32_t> list, bool closed) {
     return test::vertex_curve(opened->surface(), ids(list), closed);
@@ -68,33 +68,33 @@ TEST(CanonicalOrder, IsOneAlsoWhereAllSegmentsAreEqual) {
   // A square of 2 x 2, an L of the same outline's length, and a staircase up and back down.
   expect_one_order(opened->mesh(), vertices({9, 10, 11, 19, 27, 26, 25, 17}, true));
   expect_one_order(opened->mesh(), vertices({9, 10, 11, 19, 18, 26, 25, 17}, true));
-  // Out and back again, aside from the way at one point only.
+  // Out and back; the way back differs at one point only.
   expect_one_order(opened->mesh(), vertices({9, 10, 11, 12, 13, 12, 11, 10}, true));
   expect_one_order(opened->mesh(), vertices({9, 10, 18, 26, 27, 26, 18, 17}, true));
   expect_one_order(opened->mesh(), vertices({9, 10, 18, 19, 27, 28, 36, 35, 34, 33, 25, 17}, true));
 }
 
 TEST(CanonicalOrder, TurnsDecideBeforePositionsDo) {
-  // An L of eight equal segments: its turns decide, so wherever it lies and however it is turned.
+  // An L of eight equal segments. Its turns decide, so its position and rotation do not matter.
   const auto opened = OpenedMesh::open(grid(7, 7));
   const auto shape = [&](std::initializer_list<std::uint32_t> list) {
     return test::vertex_curve(opened->surface(), ids(list), true);
   };
   const SurfaceCurve there = shape({9, 10, 11, 19, 18, 26, 25, 17});
-  const SurfaceCurve turned = shape({46, 45, 44, 36, 37, 29, 30, 38});  // half around
+  const SurfaceCurve turned = shape({46, 45, 44, 36, 37, 29, 30, 38});  // rotated by a half turn
   const CurveOrder one = canonical_order(opened->mesh(), there);
   const CurveOrder other = canonical_order(opened->mesh(), turned);
   EXPECT_EQ(one.start, other.start);
   EXPECT_EQ(one.reversed, other.reversed);
 }
 
-TEST(CanonicalOrder, OfOnePointIsAsDrawn) {
+TEST(CanonicalOrder, KeepsASinglePoint) {
   const auto opened = OpenedMesh::open(grid(5, 5));
   const SurfaceCurve point = test::vertex_curve(opened->surface(), ids({6}), false);
   EXPECT_EQ(in_order(point, canonical_order(opened->mesh(), point)).points, point.points);
 }
 
-TEST(CanonicalOrder, OfASetIsTheSameHoweverItIsListed) {
+TEST(CanonicalOrder, OfASetDoesNotDependOnTheListing) {
   const auto opened = OpenedMesh::open(grid(7, 7));
   const auto curve = [&](std::initializer_list<std::uint32_t> list, bool closed) {
     return test::vertex_curve(opened->surface(), ids(list), closed);
@@ -110,10 +110,10 @@ TEST(CanonicalOrder, OfASetIsTheSameHoweverItIsListed) {
     const std::vector<std::size_t> found = canonical_set_order(opened->mesh(), other);
     for (std::size_t k = 0; k < set.size(); ++k) EXPECT_EQ(listed[found[k]], expected[k]);
   } while (std::next_permutation(listed.begin(), listed.end()));
-  EXPECT_EQ(expected.back(), 0U);  // open ones first
+  EXPECT_EQ(expected.back(), 0U);  // open curves come first
 }
 
-TEST(CanonicalOrder, TheResultRunsAsTheDrawingDoes) {
+TEST(CanonicalOrder, ResultsHaveTheDirectionOfTheDrawing) {
   const auto opened = OpenedMesh::open(disturbed_grid());
   SurfaceCurve drawn = drawn_on(opened->surface(), false);
   CurveSmoother smoother(opened);

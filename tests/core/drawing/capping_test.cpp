@@ -35,20 +35,20 @@ TEST(Capping, ReplacesTwoSidesOfATriangleByTheThird) {
   auto path = ids({0, 1, 4});
   EXPECT_EQ(cap_corners(surface, path, false), 1U);
   EXPECT_EQ(path, ids({0, 4}));
-  // 1, 0, 3 is a corner of the square, but not of a triangle.
+  // 1, 0, 3 is a corner of a square, not of a triangle.
   path = ids({1, 0, 3});
   EXPECT_EQ(cap_corners(surface, path, false), 0U);
   EXPECT_EQ(path, ids({1, 0, 3}));
 }
 
-TEST(Capping, GoesOnUntilNoneIsLeft) {
+TEST(Capping, RepeatsUntilNoCornerIsLeft) {
   // About vertex 0 of a hexagon everything can be capped down to one edge only through it.
   const Surface surface = surface_of_lists(grid(4, 4));
   auto path = ids({0, 1, 6, 7, 12, 13, 18});
   EXPECT_EQ(cap_corners(surface, path, false), 3U);
   EXPECT_EQ(path, ids({0, 6, 12, 18}));
   EXPECT_FALSE(has_corner(surface, path, false));
-  // A cap can make a corner one step before: 5, 0, 1, 6 becomes 5, 0, 6 and then 5, 6.
+  // A cap can make a corner at the previous vertex: 5, 0, 1, 6 becomes 5, 0, 6 and then 5, 6.
   path = ids({5, 0, 1, 6});
   EXPECT_EQ(cap_corners(surface, path, false), 2U);
   EXPECT_EQ(path, ids({5, 6}));
@@ -63,7 +63,7 @@ TEST(Capping, LeavesPinnedVerticesAndEnds) {
 
 TEST(Capping, ClosedPathsAreCappedAcrossTheirStart) {
   const Surface surface = surface_of_lists(grid(4, 4));
-  // A square with a cut corner at the seam: 1 is the corner of triangle 0, 1, 6.
+  // A square with one corner cut off. 1 is the corner of triangle 0, 1, 6, at the end of the list.
   const auto loop = ids({1, 6, 12, 17, 16, 15, 10, 5, 0});
   for (std::size_t turn = 0; turn < loop.size(); ++turn) {
     auto path = loop;

@@ -1,4 +1,4 @@
-// What a curve crosses, where pairs of segments tell it.
+// Crossings of a curve, compared with the crossings of all pairs of segments.
 #include "talweg/core/drawing/crossings.hpp"
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kFaces = 6;
 
-/// Zigzags in faces, as loops and open curves; some have a point in common.
+/// Zigzags in single faces, as loops and open curves; some share a point.
 std::vector<SurfaceCurve> zigzags(const Surface& surface, std::size_t count, std::mt19937& random) {
   std::uniform_real_distribution<double> part(0.05, 1);
   std::vector<SurfaceCurve> curves;
@@ -35,7 +35,8 @@ std::vector<SurfaceCurve> zigzags(const Surface& surface, std::size_t count, std
   return curves;
 }
 
-/// Some curves begin where others do, which may be in another face.
+/// Whether each point and the next share a face. A curve that begins at another curve's point may
+/// not: the point can lie in another face.
 bool has_faces(const Surface& surface, const SurfaceCurve& curve) {
   for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < curve.points.size(); ++i) {
     const std::size_t next = (i + 1) % curve.points.size();
@@ -71,7 +72,7 @@ std::vector<SurfacePoint> crossed_by_pairs(const Surface& surface,
   return crossed;
 }
 
-TEST(CurvesByFace, CrossWhatPairsOfSegmentsCross) {
+TEST(CurvesByFace, AgreeWithPairsOfSegments) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(3, 1));
   const Surface& surface = mesh.surface();
   std::mt19937 random(5);
@@ -103,7 +104,7 @@ TEST(CurvesByFace, RefuseASegmentOutsideTheFaces) {
                Error);
 }
 
-TEST(Crossings, AreFoundAndTouchingIsNone) {
+TEST(Crossings, AreFoundWithoutTouchingCurves) {
   const auto opened = OpenedMesh::open(test::grid(4, 4));
   const Surface& surface = opened->surface();
   const auto at = [&](std::uint32_t face, double a, double b) {

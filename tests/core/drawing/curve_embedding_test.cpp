@@ -10,8 +10,8 @@
 namespace talweg {
 namespace {
 
-/// A point nearer to a mesh edge than rounding falls on it. Beside the tiny faces that its
-/// neighbour on the curve makes it would, put in once more, be another vertex.
+/// A point closer to a mesh edge than the tolerance falls on the edge. The next point of the curve
+/// makes tiny faces there, so a second insertion of the point would give another vertex.
 TEST(CurveEmbedding, APinIsTheVertexThatItsPointBecame) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(2, 2));
   const Surface& surface = mesh.surface();

@@ -1,4 +1,4 @@
-// Between two way-points there is a leg, unless somebody painted there.
+// The part of a curve between two way-points is a leg, unless it has painted points.
 #include "talweg/core/drawing/drawn_legs.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ class DrawnLegsTest : public testing::Test {
       test::vertex_curve(surface, test::ids({8, 9, 10, 17, 24, 23, 22, 15}), true);
 };
 
-TEST_F(DrawnLegsTest, WithoutWayPointsThereIsNone) {
+TEST_F(DrawnLegsTest, WithoutWayPointsThereIsNoLeg) {
   const DrawnLegs legs = legs_of(row, {}, {}, {});
   EXPECT_FALSE(legs.any());
   EXPECT_FALSE(legs.all());
@@ -50,14 +50,14 @@ TEST_F(DrawnLegsTest, PinsDivideLegs) {
   EXPECT_EQ(painted.is_leg, (Legs{false, false, true}));
 }
 
-TEST_F(DrawnLegsTest, OneWayPointMakesNone) {
+TEST_F(DrawnLegsTest, OneWayPointMakesNoLeg) {
   EXPECT_FALSE(legs_of(row, {}, exact({3}), {}).any());
 }
 
 TEST_F(DrawnLegsTest, LoopsNeedThreeWayPoints) {
   EXPECT_FALSE(legs_of(ring, {}, exact({8, 24}), {}).any());
   EXPECT_EQ(legs_of(ring, {}, exact({10, 24, 22}), {}).is_leg, (Legs{true, true, true}));
-  // The stretch that passes the loop's first point is the last one.
+  // The stretch that passes the first point of the loop is last.
   EXPECT_EQ(legs_of(ring, {}, exact({10, 24, 22}), std::vector{at(8)}).is_leg,
             (Legs{true, true, false}));
 }

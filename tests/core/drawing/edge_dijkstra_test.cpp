@@ -42,7 +42,7 @@ bool is_simple(std::vector<VertexId> path) {
 
 TEST(Drawing, TakesTheShortestEdgePath) {
   const Surface surface = surface_of_lists(grid(5, 3));
-  // Three diagonals and two straight steps, in whatever order.
+  // Three diagonals and two straight steps, in any order.
   const auto path = draw_edge_path(surface, ids({0, 23}));
   EXPECT_EQ(path.size(), 6U);
   EXPECT_NEAR(length_of(surface, path), 3 * std::sqrt(2.0) + 2, 1e-12);
@@ -84,7 +84,7 @@ TEST(Drawing, KeepsItsWayPointsInOrderAndMeetsNoVertexTwice) {
     }
     EXPECT_EQ(next, through.size());
     EXPECT_EQ(path.back() == through.back(), !closed);
-    // Four quarters of the equator, at least as long as in space.
+    // Four quarters of the equator; a path along edges is at least as long as its chords.
     const double quarter = std::numbers::pi / 2;
     EXPECT_GT(length_of(surface, path), 2.9 * quarter);
   }
@@ -92,7 +92,8 @@ TEST(Drawing, KeepsItsWayPointsInOrderAndMeetsNoVertexTwice) {
 
 TEST(Drawing, LaterLegsGoAroundEarlierOnes) {
   const Surface surface = surface_of_lists(grid(4, 4));
-  // Down the middle column from the top, then from its end to the right, then to the left side.
+  // Down the middle column from the top, then from its lower end to the right, then to the left
+  // side.
   const auto path = draw_edge_path(surface, ids({22, 7, 13, 11}));
   EXPECT_TRUE(is_simple(path));
   EXPECT_EQ(path.back(), VertexId{11});
@@ -100,7 +101,7 @@ TEST(Drawing, LaterLegsGoAroundEarlierOnes) {
 
 TEST(Drawing, EarlierLegsKeepOffLaterWayPoints) {
   const Surface surface = surface_of_lists(grid(4, 2));
-  // The straight way from 5 to 9 runs over 7, which is the last way-point.
+  // The shortest path from 5 to 9 runs over 7, the last way-point.
   const auto path = draw_edge_path(surface, ids({5, 9, 7}));
   EXPECT_TRUE(is_simple(path));
   EXPECT_EQ(path.back(), VertexId{7});
@@ -126,7 +127,7 @@ TEST(Drawing, SecondCallIsNotInfluencedByTheFirst) {
 }
 
 TEST(Drawing, TiesGoToTheSmallerVertex) {
-  // Two equally long ways from 0 to 3: over 1 and over 2.
+  // Two equally long paths from 0 to 3: over 1 and over 2.
   MeshLists lists;
   lists.points = {Point(0, 0, 0), Point(1, -1, 0), Point(1, 1, 0), Point(2, 0, 0)};
   lists.triangles = {{0, 1, 2}, {2, 1, 3}};
@@ -151,14 +152,14 @@ TEST(Drawing, SaysWhatIsWrong) {
   // Vertex 7 is isolated.
   EXPECT_NE(message_of(parts, ids({0, 7}), false).find("components"), std::string::npos);
 
-  // On a strip of one square the first leg bars the way.
+  // On a strip one square wide the first leg blocks the path.
   const Surface strip = surface_of_lists(grid(4, 1));
   const std::string barred = message_of(strip, ids({2, 7, 1, 3}), false);
   EXPECT_NE(barred.find("Leg 3"), std::string::npos) << barred;
   EXPECT_NE(barred.find("in its way"), std::string::npos) << barred;
 }
 
-/// What stays of a path between two of its vertices, around the end of a closed one.
+/// The part of a path between two of its vertices; on a closed path it may pass the first vertex.
 std::vector<VertexId> part_of(std::vector<VertexId> path, VertexId from, VertexId to) {
   std::rotate(path.begin(), std::find(path.begin(), path.end(), from), path.end());
   path.erase(std::find(path.begin(), path.end(), to) + 1, path.end());
@@ -180,7 +181,7 @@ TEST(Redrawing, DrawsTheTwoLegsOnly) {
       const auto redrawn = dijkstra.redraw(path, through, moved, closed);
       EXPECT_TRUE(is_simple(redrawn));
       EXPECT_EQ(redrawn.front(), through.front());
-      // Nothing is in the way here, so each leg is as short as it can be.
+      // No other leg is in the way here, so each leg is shortest.
       EXPECT_NEAR(length_of(surface, redrawn),
                   length_of(surface, draw_edge_path(surface, through, closed)), 1e-9);
       for (std::size_t k = 0; k < through.size(); ++k) {
@@ -193,10 +194,10 @@ TEST(Redrawing, DrawsTheTwoLegsOnly) {
   }
 }
 
-TEST(Redrawing, GoesAroundTheRest) {
+TEST(Redrawing, GoesAroundOtherLegs) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
-  // A wall from the left, and a way-point that is moved across it.
+  // A leg from the left is a wall; a way-point is moved to its other side.
   auto through = ids({55, 61, 67, 12});
   const auto path = dijkstra.draw(through, false);
   through = ids({55, 61, 67, 93});
@@ -205,18 +206,18 @@ TEST(Redrawing, GoesAroundTheRest) {
   EXPECT_EQ(redrawn.back(), VertexId{93});
 }
 
-TEST(Redrawing, DrawsAllAnewWhereTheRestIsInTheWay) {
+TEST(Redrawing, RedrawsAllLegsIfOtherLegsAreInTheWay) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
   auto through = ids({56, 64, 20, 12});
   const auto path = dijkstra.draw(through, false);
   through[3] = path[4];  // onto the first leg
   EXPECT_EQ(dijkstra.redraw(path, through, 3, false), draw_edge_path(surface, through, false));
-  const auto other = ids({3, 60});  // not what the path was drawn through
+  const auto other = ids({3, 60});  // other way-points than those of the path
   EXPECT_EQ(dijkstra.redraw(path, other, 1, false), draw_edge_path(surface, other, false));
 }
 
-TEST(Redrawing, OfTwoWayPointsOrNone) {
+TEST(Redrawing, HandlesTwoWayPointsOrNone) {
   const Surface surface = surface_of_lists(grid(10, 10));
   EdgeDijkstra dijkstra(surface);
   const auto path = dijkstra.draw(ids({0, 60}), false);

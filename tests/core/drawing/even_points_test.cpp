@@ -17,9 +17,9 @@ class Resampling : public testing::Test {
   [[nodiscard]] SurfacePoint at(std::size_t v) const {
     return SurfacePoint::at_vertex(mesh_.surface(), VertexId{v});
   }
-  /// Around a square of side 1, by the vertices of a grid of 3 x 3.
+  /// The boundary of a square of side 1, by vertices of a grid of 3 x 3 squares.
   [[nodiscard]] SurfaceCurve square() const { return {true, {at(0), at(1), at(5), at(4)}}; }
-  /// Along the lower side, length 3.
+  /// The lower side of the grid, of length 3.
   [[nodiscard]] SurfaceCurve side() const { return {false, {at(0), at(1), at(2), at(3)}}; }
 
   const SurfaceMesh mesh_ = SurfaceMesh::open(test::grid(3, 3));
@@ -81,7 +81,8 @@ TEST_F(Resampling, PointsLieInTheFacesThatTheyName) {
       length += step;
     }
   }
-  // At each of 15 bends, by pi / 16, a step is at most 1 - cos(pi / 32) of its length shorter.
+  // At each of the 15 bends by pi / 16, a step is shorter by at most 1 - cos(pi / 32) of its
+  // length.
   EXPECT_NEAR(length, 100 * even.spacing, 15 * even.spacing * (1 - std::cos(M_PI / 32)));
 }
 

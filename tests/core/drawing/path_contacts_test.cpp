@@ -1,4 +1,4 @@
-// Contacts of paths along edges are counted where the paths change sides.
+// Contacts of paths along edges count as crossings where the paths change sides.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,25 +36,26 @@ std::vector<std::size_t> crossings(const std::vector<std::vector<VertexId>>& way
   return path_contacts(t, paths).crossings;
 }
 
-TEST(PathContacts, CountsWhatChangesSides) {
+TEST(PathContacts, CountsPathsThatChangeSides) {
   using Counts = std::vector<std::size_t>;
   EXPECT_EQ(crossings({ids({10, 11, 12, 13, 14}), ids({2, 7, 12, 17, 22})}), Counts({1, 0}));
-  // Together for an edge, in the same direction and against it; across and to the same side.
+  // Paths that share an edge, in the same and in opposite directions: crossing, then staying on one
+  // side.
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 17})}), Counts({1, 0}));
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({17, 12, 11, 6})}), Counts({1, 0}));
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({6, 11, 12, 7})}), Counts({0, 0}));
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({7, 12, 11, 6})}), Counts({0, 0}));
-  // What ends on another does not cross it.
+  // A path that ends on another path does not cross it.
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12})}), Counts({0, 0}));
   EXPECT_EQ(crossings({ids({10, 11, 12, 13}), ids({2, 7, 12, 13})}), Counts({0, 0}));
-  // One path, across itself.
+  // One path that meets itself, without and with a crossing.
   EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 12, 17, 22})}), Counts({0}));
   EXPECT_EQ(crossings({ids({10, 11, 12, 13, 18, 17, 12, 7, 2})}), Counts({1}));
   // The same loop twice.
   EXPECT_EQ(crossings({ids({6, 7, 12, 6}), ids({6, 7, 12, 6})}), Counts({0, 0}));
 }
 
-/// A random walk along edges, with ways back and along what was walked before.
+/// A random walk along edges, which may turn back and repeat edges.
 std::vector<VertexId> random_walk(const Surface& surface, std::mt19937& random, std::size_t n) {
   std::vector<VertexId> walk{VertexId{random() % surface.vertex_count()}};
   while (walk.size() < n) {
@@ -71,9 +72,9 @@ std::vector<VertexId> random_walk(const Surface& surface, std::mt19937& random, 
   return walk;
 }
 
-// How often two paths cross does not depend on which others there are, though all passages of a
-// vertex are counted at once.
-TEST(PathContacts, OfASetAreThoseOfItsPairs) {
+// The number of crossings of two paths does not depend on the other paths, although all passages of
+// a vertex are counted together.
+TEST(PathContacts, OfASetAreTheSumOverPairs) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
   std::mt19937 random(11);
   for (int run = 0; run < 20; ++run) {

@@ -100,7 +100,7 @@ TEST_F(Snapping, TakesPointsInFaces) {
   EXPECT_TRUE(std::holds_alternative<InFace>(curve.points[2].where()));
 }
 
-TEST_F(Snapping, MovesWhatWasClickedBesideAVertexOrAnEdgeOntoIt) {
+TEST_F(Snapping, MovesClicksOntoAVertexOrEdgeWithinRounding) {
   for (const double beside : {1e-17, 1e-16, 1e-14, 1e-12, 1e-10}) {
     CurveInput input;
     input.points = std::vector<FaceCoordinates>{{FaceId{0}, {1 - 2 * beside, beside, beside}},
@@ -115,7 +115,7 @@ TEST_F(Snapping, MovesWhatWasClickedBesideAVertexOrAnEdgeOntoIt) {
     EXPECT_TRUE(std::holds_alternative<OnEdge>(curve.points[1].where())) << beside;
     EXPECT_TRUE(curve.points[2].is_vertex()) << beside;
     EXPECT_TRUE(std::holds_alternative<InFace>(curve.points[3].where()));
-    input.way_points.clear();  // points of a whole line stay where they are
+    input.way_points.clear();  // only clicks are moved; points of a line stay
     if (beside > 1e-15) {
       EXPECT_FALSE(snap(mesh_, input).points[0].is_vertex());
     }
@@ -144,7 +144,7 @@ TEST_F(Snapping, PutsPositionsOnTheNearestPoints) {
       snap(mesh_, of_positions({Point(0.6, 0.2, 0.5), Point(4, 1, 0), Point(1.7, 0.4, -0.25)}));
   ASSERT_EQ(curve.points.size(), 3U);
   EXPECT_LT((mesh_.position(curve.points[0]) - Point(0.6, 0.2, 0)).norm(), 1e-15);
-  EXPECT_EQ(mesh_.position(curve.points[1]), Point(3, 1, 0));  // not where it leaves: it comes back
+  EXPECT_EQ(mesh_.position(curve.points[1]), Point(3, 1, 0));  // not cut off: the curve returns
   EXPECT_LT((mesh_.position(curve.points[2]) - Point(1.7, 0.4, 0)).norm(), 1e-15);
   EXPECT_EQ(curve.largest_snap_distance, 1);
 }
@@ -167,7 +167,7 @@ TEST_F(Snapping, WarnsOfPositionsFarFromTheMeshAndRefusesThoseFarther) {
   expect_parts(snap_warning(far, fine), {"3.1 mean edges"});
   EXPECT_NO_THROW(snap(fine, at(0.124 * diagonal)));
   expect_parts(refusal(fine, at(0.126 * diagonal)), {"position 0", "17.8", "17.7", "unit"});
-  // Of a mesh of a few faces an eighth is less than an edge.
+  // On a mesh of few faces an eighth of the diagonal is less than an edge; the limit is ten edges.
   const double edge = mesh_.mean_edge_length();
   EXPECT_NO_THROW(snap(mesh_, of_positions({Point(0, 0, 9.9 * edge), Point(1, 1, 0)})));
   expect_parts(refusal(mesh_, of_positions({Point(0, 0, 10.1 * edge), Point(1, 1, 0)})),
@@ -186,7 +186,7 @@ TEST_F(Snapping, MergesPositionsThatFallTogether) {
   EXPECT_EQ(curve.largest_snap_distance, 5);
 }
 
-TEST_F(Snapping, RefusesPinsThatAreNoPoints) {
+TEST_F(Snapping, RefusesPinsOutOfRange) {
   CurveInput input = of_ids({0, 1, 2});
   input.pins = {3};
   expect_parts(refusal(mesh_, input), {"point 3", "pin"});
@@ -207,7 +207,7 @@ TEST_F(Snapping, NamesTheCurveWhereThereAreSeveral) {
   }
 }
 
-/// A fine sphere away from the origin, as a scanned part lies.
+/// A fine sphere away from the origin, like a scanned part.
 MeshLists scan(double scale) {
   MeshLists lists = test::sphere(4);
   for (Point& p : lists.points) p = scale * Point(p + Point(1.7, -2.3, 0.9));
@@ -251,7 +251,8 @@ TEST(SnappingOfRoundedFiles, EdgePointsComeBackOnTheirEdges) {
   }
 }
 
-// A point a thousandth of a side away from a vertex is another point, even far from the origin.
+// A point a thousandth of a side away from a vertex is not merged with the vertex, even far from
+// the origin.
 TEST(SnappingOfRoundedFiles, NearPointsStayApart) {
   MeshLists lists = test::grid(3, 3);
   for (Point& p : lists.points) p += Point(5e6, 5e6, 0);
@@ -322,7 +323,7 @@ TEST(SnappingToThinWalls, FollowsACurveAroundTheRim) {
 }
 
 TEST(SnappingToThinWalls, SaysWhereACurveLeavesTheSurface) {
-  // Two sheets that are joined far away: from one to the other there is no short way.
+  // Two sheets joined only at their rims: between them there is no short way.
   MeshLists lists = plate();
   for (std::size_t v = 169; v < lists.points.size(); ++v) lists.points[v].z() -= 3;
   const SurfaceMesh mesh = SurfaceMesh::open(lists);

@@ -27,7 +27,8 @@ TEST(StraightLines, PointsAsNearToEdgesAndVerticesAsRounding) {
   const Surface& surface = mesh.surface();
   StraightLines lines(surface);
   for (const double e : {1e-11, 1e-13, 1e-16}) {
-    // One in each face of the sheet, near each corner and each side: lines leave them every way.
+    // A point in each face of the sheet, near each corner and each side, so lines leave faces in
+    // every way.
     std::vector<SurfacePoint> points;
     for (std::size_t f = 0; f < surface.face_count(); ++f) {
       const FaceId face{(f * 29) % surface.face_count()};
@@ -52,19 +53,19 @@ TEST(StraightLines, GapsAreCountedAndMeasured) {
   EXPECT_NEAR(lines.gaps().longest, 5, 1e-12);
   EXPECT_NE(gap_warning(lines.gaps()).find("1 gap of"), std::string::npos);
   EXPECT_NE(gap_warning(lines.gaps()).find("over 5 mesh units"), std::string::npos);
-  lines.join(points, true);  // and from the end to the beginning
+  lines.join(points, true);  // also the closing segment
   EXPECT_EQ(lines.gaps().count, 2U);
   lines.join(std::span(points).first(2), false);
   EXPECT_EQ(lines.gaps().count, 0U);
   EXPECT_EQ(gap_warning(lines.gaps()), "");
 }
 
-// In a stroke a part may be lost; a leg to a click is meant.
+// A gap in a stroke may be a lost part; a leg to a click is intended.
 TEST(StraightLines, GapsOfStrokesDecide) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
   StraightLines lines(mesh.surface());
   SnappedCurve curve;
-  for (const std::size_t v : {12, 13, 14, 25, 62, 63, 74}) {  // from (3, 2) to (7, 5) is the gap
+  for (const std::size_t v : {12, 13, 14, 25, 62, 63, 74}) {  // the gap is from (3, 2) to (7, 5)
     curve.points.push_back(SurfacePoint::at_vertex(mesh.surface(), VertexId{v}));
   }
   for (const bool clicked : {false, true}) {
@@ -76,7 +77,7 @@ TEST(StraightLines, GapsOfStrokesDecide) {
   }
 }
 
-// Clicked points are all far apart: nothing is missing between them.
+// Clicked points are all far apart, so no part is missing between them.
 TEST(StraightLines, PointsThatAreAllFarApartHaveNoGaps) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));
   std::vector<SurfacePoint> points;

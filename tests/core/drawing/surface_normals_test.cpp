@@ -10,8 +10,8 @@
 namespace talweg {
 namespace {
 
-/// Three sides of the unit cube around the corner 0, seen from outside; each has a diagonal from
-/// the corner.
+/// Three sides of the unit cube around corner 0, facing outwards; each has a diagonal from the
+/// corner.
 MeshLists corner() {
   MeshLists lists;
   lists.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
@@ -27,7 +27,7 @@ TEST(SurfaceNormals, AreThoseOfFacesEdgesAndAnglesOfACorner) {
   const HalfedgeId h = surface.find_halfedge(VertexId{0U}, VertexId{2U});
   const Point edge = normal_at(mesh, SurfacePoint::on_edge(surface, edge_of(h), 0.5));
   EXPECT_LT((edge - Point(-1, 0, -1) / std::sqrt(2.0)).norm(), 1e-15);
-  // Six faces of 45 degrees.
+  // The corner has six faces with angles of 45 degrees.
   const Point at = normal_at(mesh, SurfacePoint::at_vertex(surface, VertexId{0U}));
   EXPECT_LT((at - Point(-1, -1, -1) / std::sqrt(3.0)).norm(), 1e-15);
 }

@@ -1,4 +1,4 @@
-// The points of a drawing are taken as it says, or as somebody says instead.
+// The meaning of the points of a drawing follows from the drawing, or from the user.
 #include "talweg/core/drawing/taken_points.hpp"
 
 #include <cmath>
@@ -29,7 +29,7 @@ class TakenPointsTest : public testing::Test {
     result.add(mesh, snap(mesh, curves), lines, {});
     return result;
   }
-  /// Control points along the sheet's lowest row, so far apart.
+  /// Control points along the lowest row of the sheet, at a distance `apart`.
   [[nodiscard]] static CurveInput controls(std::size_t count, double apart) {
     std::vector<Point> points;
     for (std::size_t k = 0; k < count; ++k) {
@@ -47,10 +47,10 @@ class TakenPointsTest : public testing::Test {
   }
 
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(500, 2));
-  static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // the mean of the sheet
+  static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // mean edge length
 };
 
-TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
+TEST_F(TakenPointsTest, FollowTheMarksOfTheDrawing) {
   CurveInput named = row({0, 1, 2, 3}), other = row({10, 11, 12});
   named.way_points = {{0, 0}, {3, 0.25}};
   named.painted = {1};
@@ -61,7 +61,7 @@ TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
   EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
   EXPECT_EQ(taken.painted, std::vector{at(1)});
 
-  // A curve that names way-points keeps to them; of the other all points are.
+  // A curve that names way-points keeps them; all points of the other curve become way-points.
   taken = take_points(drawn, {PointMeaning::kExact, {}, 0});
   EXPECT_EQ(points_of(taken.way_points), (std::vector{at(0), at(3), at(10), at(11), at(12)}));
 
@@ -74,7 +74,7 @@ TEST_F(TakenPointsTest, AreThoseOfTheDrawing) {
   EXPECT_EQ(taken.way_points[0].tolerance, 0.5);
 }
 
-TEST_F(TakenPointsTest, TheToleranceIsOfWayPointsWithoutOne) {
+TEST_F(TakenPointsTest, TheToleranceAppliesToWayPointsWithoutATolerance) {
   CurveInput named = row({0, 1, 2, 3});
   named.way_points = {{0, 0}, {3, 0.25}};
   const TakenPoints taken = take_points(drawing({named}), {PointMeaning::kGiven, {}, 0.5});
@@ -82,7 +82,7 @@ TEST_F(TakenPointsTest, TheToleranceIsOfWayPointsWithoutOne) {
   EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
 }
 
-TEST_F(TakenPointsTest, ExactLeavesOutWhatWasPainted) {
+TEST_F(TakenPointsTest, ExactLeavesOutPaintedPoints) {
   CurveInput painted = row({0, 1, 2, 3, 4});
   painted.painted = {1, 3};
   const TakenPoints taken = take_points(drawing({painted}), {PointMeaning::kExact, {}, 0});
@@ -103,7 +103,7 @@ TEST_F(TakenPointsTest, ADrawingIsFreeIfAllOfItLiesBetweenWayPoints) {
   EXPECT_FALSE(is_free({stroke}));
 }
 
-TEST_F(TakenPointsTest, PointsThatCoincideAreWhatAnyOfThemWas) {
+TEST_F(TakenPointsTest, CoincidingPointsCombineTheirMarks) {
   CurveInput curve;
   curve.points = std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {4, 0, 0}};
   curve.way_points = {{0, 0.5}, {1, 0.25}};
@@ -116,7 +116,7 @@ TEST_F(TakenPointsTest, PointsThatCoincideAreWhatAnyOfThemWas) {
   EXPECT_EQ(snapped.painted, std::vector<std::size_t>{1});  // a way-point is not painted
 }
 
-TEST_F(TakenPointsTest, MarksThatArePointlessAreRefused) {
+TEST_F(TakenPointsTest, MarksOfMissingPointsAreRefused) {
   const auto sentence = [&](const CurveInput& curve) {
     try {
       snap(mesh, curve);
@@ -147,7 +147,7 @@ TEST_F(TakenPointsTest, FewControlPointsFarApartAreWayPoints) {
   }
 }
 
-TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeAndASentenceSaysSo) {
+TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
   const auto warnings = [&](const CurveInput& curve, const PointsTaken& how = {}) {
     const SnappedDrawing drawn = drawing({curve});
     EXPECT_TRUE(drawn.way_points.empty());
@@ -160,12 +160,12 @@ TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeAndASentenceSaysSo) {
   ASSERT_EQ(dense.size(), 1U);
   EXPECT_NE(dense[0].find("closer than 2 they are taken as a stroke"), std::string::npos)
       << dense[0];
-  // Who says what they are needs no sentence.
+  // A meaning given by the user needs no warning.
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kExact, {}, 0}).empty());
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kRough, {}, 0}).empty());
 }
 
-TEST_F(TakenPointsTest, ManyControlPointsCanBeSaidToBeExact) {
+TEST_F(TakenPointsTest, ManyControlPointsCanBeMadeExact) {
   const SnappedDrawing drawn = drawing({controls(201, 2.4)});
   EXPECT_EQ(take_points(drawn, {PointMeaning::kExact, {}, 0}).way_points.size(), 201U);
 }

@@ -1,4 +1,4 @@
-// The band system against Eigen.
+// The band solver against Eigen.
 #include "talweg/core/fairing/band_solver.hpp"
 
 #include <random>
@@ -9,7 +9,7 @@
 namespace talweg {
 namespace {
 
-/// A sum of squares of rows over three neighbours, plus a diagonal.
+/// The system: a sum of squares of rows over three neighbours, plus a diagonal.
 void expect_solution_of_eigen(std::size_t n, bool ring, std::size_t held) {
   std::mt19937 random(static_cast<unsigned>(n));
   std::uniform_real_distribution<double> number(-1, 1);
@@ -63,7 +63,7 @@ TEST(BandSystem, HasTheSolutionOfEigen) {
   }
 }
 
-TEST(BandSystem, TellsWhatIsNotPositiveDefinite) {
+TEST(BandSystem, RejectsIndefiniteMatrices) {
   BandSystem system(6, false);
   for (std::size_t i = 0; i < 6; ++i) system.add(i, i, i == 3 ? -1 : 1);
   std::vector<double> solution;

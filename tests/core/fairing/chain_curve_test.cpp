@@ -1,4 +1,4 @@
-// The curve of a chain against circles that lie inside one face, or in two.
+// The curve of a chain, for circles inside one face and across two faces.
 #include "talweg/core/fairing/chain_curve.hpp"
 
 #include <array>
@@ -21,7 +21,7 @@ SurfaceMesh square() {
   return SurfaceMesh::open(lists);
 }
 
-/// A circle as a chain; one around a point of the diagonal crosses that twice.
+/// A circle as a chain; a circle around a point of the diagonal crosses the diagonal twice.
 SampleChain circle_around(ChainMaker& maker, double x0, double y0) {
   constexpr int kPoints = 64;
   SurfaceCurve circle{true, {}};

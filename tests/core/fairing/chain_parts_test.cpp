@@ -12,7 +12,7 @@ namespace {
 
 class ChainPartsTest : public testing::Test {
  protected:
-  /// A chain around the middle of a plane, its corners fixed; of an open one the ends are, too.
+  /// A chain around a square in a plane. Two corners are fixed, and the ends of an open chain.
   [[nodiscard]] SampleChain chain(bool closed) {
     SurfaceCurve curve{closed, {}};
     const std::uint32_t row = kColumns + 1;
@@ -48,7 +48,7 @@ class ChainPartsTest : public testing::Test {
   ChainMaker maker{opened->surface()};
 };
 
-/// Ranges at the ends, about fixed samples, and from one of them on.
+/// The ranges: at the beginning, around a fixed sample, and from a fixed sample to the end.
 TEST_F(ChainPartsTest, APartReplacedByItselfChangesNothing) {
   for (const bool closed : {false, true}) {
     const SampleChain whole = chain(closed);
@@ -75,7 +75,7 @@ TEST_F(ChainPartsTest, APartReplacedByItselfChangesNothing) {
   }
 }
 
-TEST(ChainRanges, AreApartAndEndWhereTheChainDoes) {
+TEST(ChainRanges, AreDisjointAndInsideTheChain) {
   const std::vector<std::size_t> samples{3, 40, 45, 98};
   const auto ranges = ranges_about(samples, 5, 100);
   ASSERT_EQ(ranges.size(), 3U);

@@ -1,4 +1,4 @@
-// Fair curves against circles, their walls, and what a drawing must never lose.
+// The walls and limits of fairing.
 #include "talweg/core/fairing/curve_fairing.hpp"
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(DrawnBand, ItsSlopesAreThoseOfItsValues) {
     const BandPlace low = moved(-step), at = moved(0), high = moved(step);
     const double left = (at.distance - low.distance) / step;
     const double right = (high.distance - at.distance) / step;
-    if (std::abs(left - right) > 0.01) continue;  // a ridge
+    if (std::abs(left - right) > 0.01) continue;  // on a ridge the slopes differ
     EXPECT_NEAR(at.slope, (left + right) / 2, 1e-3) << f;
     EXPECT_NEAR(at.wall_slope, (high.wall - low.wall) / (2 * step), 2e-2) << f;
     EXPECT_NEAR(at.wall, 1.5 * at.slack, 1e-12);
@@ -58,9 +58,9 @@ TEST(CurveFairing, ACurveIsTooLongWhereItsSamplesWouldBeTooMany) {
   EXPECT_TRUE(fairing.is_too_long(1.001e5 * edge / 8));
 }
 
-// Among needles chains wound to and fro, each try longer than the one before, up to 20,000 times as
-// long as what was drawn.
-TEST(CurveFairing, AChainThatIsFarTooLongIsGivenUp) {
+// Chains among needles wound back and forth; each attempt was longer than the previous one, up to
+// 20,000 times the length of the drawing.
+TEST(CurveFairing, AChainFarTooLongIsRejected) {
   const auto opened = OpenedMesh::open(test::hills(40));
   const SurfaceCurve drawn = test::wave_on_hills(opened->mesh());
   const double length = curve_length(opened->surface(), drawn);

@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// A hairpin: six to the right, one up, six back.
+/// A hairpin: 6 to the right, 1 up, 6 back.
 std::vector<Point> hairpin() { return {{0, 0, 0}, {6, 0, 0}, {6, 1, 0}, {0, 1, 0}}; }
 
 TEST(DrawnLine, PlacesAreArcLengths) {
@@ -25,7 +25,7 @@ TEST(DrawnLine, PlacesAreArcLengths) {
   EXPECT_EQ(line.between(12, 1), -11);
 }
 
-TEST(DrawnLine, AClosedOneGoesOnWhereItBegan) {
+TEST(DrawnLine, AClosedLineContinuesAtItsBeginning) {
   const DrawnLine line(hairpin(), true);
   EXPECT_EQ(line.length(), 14);
   EXPECT_EQ(line.between(13.5, 1), 1.5);
@@ -33,26 +33,26 @@ TEST(DrawnLine, AClosedOneGoesOnWhereItBegan) {
   EXPECT_EQ(line.at(15.5), line.at(1.5));
   EXPECT_EQ(line.at(-0.5), line.at(13.5));
   EXPECT_TRUE(line.stays_near(13, 1, 1.5));
-  EXPECT_FALSE(line.is_straight(13, 15, 0.5));  // around a corner, on the next turn
+  EXPECT_FALSE(line.is_straight(13, 15, 0.5));  // around a corner, in the second round
   EXPECT_TRUE(line.is_straight(13, 15, 0.8));
 }
 
-TEST(DrawnLine, AnotherStrandIsNotNearHoweverNearItLies) {
+TEST(DrawnLine, AnotherStrandIsNotNearAlongTheLine) {
   const DrawnLine line(hairpin(), false);
   EXPECT_TRUE(line.stays_near(2, 3, 1.1));
-  EXPECT_FALSE(line.stays_near(2, 11, 1.1));  // one above, but six around the tip
+  EXPECT_FALSE(line.stays_near(2, 11, 1.1));  // 1 above, but 9 along the line around the tip
   EXPECT_FALSE(line.stays_near(11, 2, 1.1));
   EXPECT_TRUE(line.stays_near(5.5, 7.5, 1.2));  // at the tip
 }
 
-TEST(DrawnLine, IsStraightAsFarAsNothingIsCutOff) {
+TEST(DrawnLine, IsStraightWithinTheTolerance) {
   const DrawnLine line(hairpin(), false);
   EXPECT_TRUE(line.is_straight(0, 6, 1e-9));
-  EXPECT_FALSE(line.is_straight(1, 12, 4.9));  // the tip is five away
+  EXPECT_FALSE(line.is_straight(1, 12, 4.9));  // the tip is 5 away
   EXPECT_TRUE(line.is_straight(1, 12, 5.2));
 }
 
-TEST(DrawnLine, OfOnePointIsThatPoint) {
+TEST(DrawnLine, OfOnePointHasLengthZero) {
   for (const bool closed : {false, true}) {
     const DrawnLine line({{1, 2, 3}}, closed);
     EXPECT_EQ(line.length(), 0);
@@ -62,7 +62,7 @@ TEST(DrawnLine, OfOnePointIsThatPoint) {
   }
 }
 
-/// Curves of the plane, their distance and a band that knows how they continue each other.
+/// Curves in the plane, their distance and a band; the band joins curves that continue each other.
 struct BandOnGrid {
   explicit BandOnGrid(std::vector<std::vector<VertexId>> ways) {
     for (const auto& way : ways) {
@@ -80,7 +80,7 @@ struct BandOnGrid {
   PolylineDistance distance{opened->surface()};
 };
 
-TEST(DrawnBand, APlaceNearerToAnotherStrandIsNotItsOwn) {
+TEST(DrawnBand, APlaceNearerToAnotherStrandDoesNotBelongToTheStrand) {
   const auto at = BandOnGrid::at;
   BandOnGrid grid({{at(5, 10), at(25, 10), at(25, 12), at(5, 12)}});
   const DrawnLine line(positions_of(grid.opened->mesh(), grid.curves[0]), false);
@@ -91,7 +91,7 @@ TEST(DrawnBand, APlaceNearerToAnotherStrandIsNotItsOwn) {
   EXPECT_NEAR(place(10, 9).arc, 5, 1e-12);
   EXPECT_TRUE(band.is_own(place(10, 9), 5));
   EXPECT_TRUE(band.is_own(place(10, 9), 6));
-  EXPECT_FALSE(band.is_own(place(10, 13), 5));  // the strand above, within the walls of both
+  EXPECT_FALSE(band.is_own(place(10, 13), 5));  // on the strand above, within both walls
   EXPECT_TRUE(band.is_own(place(10, 13), 37));
   EXPECT_TRUE(band.cuts_off(15, 27));  // the tip
   EXPECT_FALSE(band.cuts_off(0, 20));
@@ -116,7 +116,7 @@ TEST(DrawnBand, CurvesThatContinueEachOtherAreMeasuredAlongOneLine) {
   EXPECT_EQ(band.slack_between(2, 8), 1);
   EXPECT_EQ(band.slack_between(11, 20), 2);
   EXPECT_EQ(band.slack_between(11, 28), 0.5);
-  EXPECT_NEAR(band.slack_between(11, 24.5), 1.25, 1e-12);  // halfway down
+  EXPECT_NEAR(band.slack_between(11, 24.5), 1.25, 1e-12);  // halfway between the slacks
   EXPECT_EQ(band.least_slack(), 0.5);
   EXPECT_EQ(band.largest_slack(), 2);
 }

@@ -1,4 +1,4 @@
-// Where two ends of a set meet, the fair curves continue each other without a kink.
+// Fair curves continue each other without a kink where exactly two ends of a set meet.
 #include "talweg/core/fairing/joined_curves.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ SurfaceCurve other_way(SurfaceCurve curve) {
   return curve;
 }
 
-/// The turn where one curve continues another, degrees; both have an end at the point.
+/// The turning angle between two curves with an end at the point, degrees.
 double turn_between(const Surface& surface, const SurfaceCurve& a, const SurfaceCurve& b,
                     const SurfacePoint& point) {
   const auto beside = [&](const SurfaceCurve& curve) {
@@ -66,7 +66,7 @@ class JoinedCurvesTest : public testing::Test {
   const std::size_t n = wave.points.size(), half = n / 2;
 };
 
-TEST_F(JoinedCurvesTest, FollowEachOtherInAnyDirection) {
+TEST_F(JoinedCurvesTest, JoinEndsInAnyDirection) {
   const std::vector<SurfaceCurve> curves = {
       other_way(stretch_between(wave, 20, 30)), stretch_between(wave, 0, 9),
       stretch_between(wave, 9, 20), stretch_between(wave, 33, n - 1)};
@@ -87,7 +87,7 @@ TEST_F(JoinedCurvesTest, FollowEachOtherInAnyDirection) {
   }
 }
 
-TEST_F(JoinedCurvesTest, CloseARing) {
+TEST_F(JoinedCurvesTest, CanFormARing) {
   const SurfaceCurve drawn = ring();
   const std::size_t m = drawn.points.size();
   SurfaceCurve rest = stretch_between(drawn, 10, m - 1);
@@ -137,7 +137,7 @@ TEST_F(JoinedCurvesTest, NeedExactlyTwoEndsThatAreFree) {
   EXPECT_EQ(groups({from_left(8 * 41 + 6), from_left(14 * 41 + 6)}).size(), 2U);
 }
 
-TEST_F(JoinedCurvesTest, TwoEndsHaveNoKink) {
+TEST_F(JoinedCurvesTest, TwoEndsMeetWithoutAKink) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
   double apart = 0;
@@ -157,10 +157,11 @@ TEST_F(JoinedCurvesTest, TwoEndsHaveNoKink) {
     apart =
         std::max(apart, turn_between(surface, other.curves[0], other.curves[1], wave.points[half]));
   }
-  EXPECT_GT(apart, 10);  // that is not so by chance
+  EXPECT_GT(apart, 10);  // fixed as a corner, the same point keeps a kink
 }
 
-// The same chain of samples, the same walls: as one curve that is pinned there.
+// Two curves that meet have the same chain of samples and the same walls as one curve with a pin
+// there.
 TEST_F(JoinedCurvesTest, TwoEndsAreAsAPin) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
@@ -185,7 +186,7 @@ TEST_F(JoinedCurvesTest, RingsCloseWithoutAKink) {
   }
 }
 
-// An open curve that comes back to where it began.
+// An open curve whose last point is its first.
 TEST_F(JoinedCurvesTest, ACurveThatEndsWhereItBeginsCloses) {
   SurfaceCurve drawn = ring();
   const SurfacePoint there = drawn.points[0];
@@ -215,7 +216,7 @@ TEST_F(JoinedCurvesTest, ACurveThatEndsWhereItBeginsCloses) {
   EXPECT_EQ(std::count(pinned.points.begin(), pinned.points.end(), drawn.points[9]), 1);
 }
 
-TEST_F(JoinedCurvesTest, AreTheSameHoweverTheyAreDrawn) {
+TEST_F(JoinedCurvesTest, DoNotDependOnTheDirectionOfDrawing) {
   const SurfaceCurve a = stretch_between(wave, 0, 13), b = stretch_between(wave, 13, 29),
                      c = stretch_between(wave, 29, n - 1);
   for (const double tau : {0.4, 1.0, 2.6}) {
@@ -247,7 +248,7 @@ TEST_F(JoinedCurvesTest, KeepEachItsOwnTauAndWalls) {
   }
 }
 
-TEST_F(JoinedCurvesTest, NeedBothToBeFair) {
+TEST_F(JoinedCurvesTest, NeedTwoFairCurves) {
   const std::vector<SurfaceCurve> curves = {stretch_between(wave, 0, half),
                                             stretch_between(wave, half, n - 1)};
   for (const OwnOptions& own :

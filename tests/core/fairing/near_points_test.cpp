@@ -1,4 +1,4 @@
-// Points that hardly differ from their neighbours are dropped, where a face holds what is left.
+// Points close to their neighbours are dropped if a face holds both neighbours.
 #include "talweg/core/fairing/near_points.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 class NearPointsTest : public testing::Test {
  protected:
   [[nodiscard]] const Surface& surface() const { return opened->mesh().surface(); }
-  /// Inside face 0, all but at its corner of this number.
+  /// A point inside face 0, close to a corner.
   [[nodiscard]] SurfacePoint near_corner(std::size_t corner, double away) const {
     std::array<double, 3> barycentric{away, away, away};
     barycentric[corner] = 1 - 2 * away;
@@ -30,7 +30,7 @@ class NearPointsTest : public testing::Test {
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(4, 4));
 };
 
-TEST_F(NearPointsTest, OfPointsAtAVertexTheVertexIsKept) {
+TEST_F(NearPointsTest, AmongPointsNearAVertexTheVertexIsKept) {
   std::vector<KeptPoint> points{{corner(0), 0, true},
                                 {near_corner(1, 1e-9), 1 - 1e-9},
                                 {corner(1), 1},
@@ -41,7 +41,7 @@ TEST_F(NearPointsTest, OfPointsAtAVertexTheVertexIsKept) {
   EXPECT_EQ(points[1].point, corner(1));
 }
 
-TEST_F(NearPointsTest, WhatStaysAndWhatIsFarStay) {
+TEST_F(NearPointsTest, KeptAndFarPointsStay) {
   std::vector<KeptPoint> points{{corner(0), 0, true},
                                 {near_corner(0, 1e-9), 1e-9, true},
                                 {near_corner(1, 0.1), 0.9},
@@ -50,7 +50,7 @@ TEST_F(NearPointsTest, WhatStaysAndWhatIsFarStay) {
   EXPECT_EQ(points.size(), 4);
 }
 
-TEST_F(NearPointsTest, ALoopIsLookedAtAcrossItsStart) {
+TEST_F(NearPointsTest, ALoopIsCheckedAcrossItsFirstPoint) {
   std::vector<KeptPoint> points{
       {near_corner(0, 1e-9), 0}, {corner(1), 1}, {corner(2), 2}, {corner(0), 3 - 1e-9}};
   drop_near_points(surface(), true, 3, 1e-6, points);
@@ -58,8 +58,8 @@ TEST_F(NearPointsTest, ALoopIsLookedAtAcrossItsStart) {
   EXPECT_EQ(points.back().point, corner(0));
 }
 
-TEST_F(NearPointsTest, WhereNoFaceHoldsBothNeighboursAPointIsNeeded) {
-  // From the first face over a corner into one that shares only this corner with it.
+TEST_F(NearPointsTest, APointStaysIfNoFaceHoldsBothNeighbours) {
+  // From one face over a vertex into a face that shares only this vertex with the first.
   const auto at = [&](std::uint32_t id) {
     return SurfacePoint::at_vertex(surface(), VertexId{id});
   };

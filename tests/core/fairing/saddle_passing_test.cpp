@@ -1,4 +1,4 @@
-// Curves are led past saddle vertices, all around a loop, too.
+// Curves are led past saddle vertices, also across the first point of a loop.
 #include "talweg/core/fairing/saddle_passing.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 class SaddlePassingTest : public testing::Test {
  protected:
   static constexpr std::uint32_t columns = 9;
-  /// A grid whose vertices are lifted at random, so that half of them have more than a full angle.
+  /// A grid with vertices lifted at random: about half of the vertices are saddles.
   static MeshLists rough_grid(unsigned seed) {
     MeshLists lists = test::grid(columns - 1, columns - 1);
     std::mt19937 random(seed);
@@ -25,7 +25,7 @@ class SaddlePassingTest : public testing::Test {
     for (Point& point : lists.points) point.z() = height(random);
     return lists;
   }
-  /// Vertices around a square, from one of them on.
+  /// The vertices around a square, beginning at any of them.
   static std::vector<VertexId> ring(std::size_t start) {
     std::vector<VertexId> ring;
     const auto add = [&](std::uint32_t x, std::uint32_t y) { ring.emplace_back(y * columns + x); };

@@ -1,5 +1,5 @@
-// Surfaces and values of brains, GIFTI and FreeSurfer: every encoding by bytes that another program
-// made or that are written out here, by nibabel's too, and lies.
+// Surfaces and values of brains, GIFTI and FreeSurfer: every encoding, from bytes given here or
+// made by Python and nibabel, and malformed files.
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
@@ -26,7 +26,7 @@ using namespace std::string_literals;
 const std::vector<Point> kPoints = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.5}};
 const std::vector<Triangle> kTriangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
 
-// What Python's struct, base64, zlib and gzip make of these numbers.
+// These numbers as encoded by Python's struct, base64, zlib and gzip.
 const std::string kPointsLittle =
     "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAAAAAAAAAAAAMA/";
 const std::string kTrianglesLittle =
@@ -142,7 +142,7 @@ TEST(Gifti, SurfacesInEveryEncoding) {
        }) {
     expect_tetrahedron(read_mesh("lh.surf.gii", gifti(arrays)));
   }
-  // Columns first.
+  // Column-major order.
   const std::string columns = "ArrayIndexingOrder=\"ColumnMajorOrder\"";
   expect_tetrahedron(
       read_mesh("A.GII", gifti(points_array("ASCII", "0 1 0 0 0 0 1 0 0 0 0 1.5", columns) +
@@ -154,7 +154,7 @@ TEST(Gifti, SurfacesInEveryEncoding) {
   EXPECT_EQ(doubles.triangles, kTriangles);
 }
 
-TEST(Gifti, WhatIsNotReadIsNamed) {
+TEST(Gifti, DataThatAreNotReadAreNamed) {
   MeshAttributes attributes;
   read_mesh("a.gii",
             gifti(points_array("ASCII", kTextPoints) + triangles_array("ASCII", kTextTriangles) +
@@ -164,7 +164,7 @@ TEST(Gifti, WhatIsNotReadIsNamed) {
   EXPECT_NE(attributes.left_out[0].find("NIFTI_INTENT_SHAPE"), std::string::npos);
 }
 
-TEST(Gifti, LiesAreRefused) {
+TEST(Gifti, MalformedFilesAreRefused) {
   const std::string points = points_array("ASCII", kTextPoints);
   expect_bad_mesh("a.gii", "no xml", {"XML"});
   expect_bad_mesh("a.gii", "<VTKFile/>", {"<GIFTI>"});
@@ -220,7 +220,7 @@ TEST(FreeSurferSurface, IsRead) {
   for (const char* name : {"lh.white", "rh.pial", "lh.INFLATED", "lh.sphere", "lh.sphere.reg"}) {
     expect_tetrahedron(read_mesh(name, freesurfer()));
   }
-  // What follows is the geometry of the volume.
+  // The geometry of the volume follows the triangles.
   MeshAttributes attributes;
   expect_tetrahedron(read_mesh("lh.white", freesurfer() + "valid = 1\n", attributes));
   EXPECT_EQ(attributes.left_out.size(), 1U);
@@ -228,7 +228,7 @@ TEST(FreeSurferSurface, IsRead) {
 
 TEST(FreeSurferSurface, QuadsAreDividedAsFreeSurferDividesThem) {
   const std::string corners = three_bytes({0, 1, 2, 3, 1, 2, 3, 0});
-  // By an even first corner: 0 1 3 and 2 3 1; by an odd one: 1 2 3 and 1 3 0.
+  // An even first corner gives 0 1 3 and 2 3 1, an odd first corner 1 2 3 and 1 3 0.
   const std::vector<Triangle> expected = {{0, 1, 3}, {2, 3, 1}, {1, 2, 3}, {1, 3, 0}};
   const MeshLists old =
       read_mesh("lh.orig", "\xFF\xFF\xFF" + three_bytes({4, 2}) +
@@ -236,7 +236,7 @@ TEST(FreeSurferSurface, QuadsAreDividedAsFreeSurferDividesThem) {
   EXPECT_EQ(old.triangles, expected);
   EXPECT_EQ(old.polygon_count, 0U);
   EXPECT_EQ(old.unit.value_or(LengthUnit::named("m")).code(), "mm");
-  EXPECT_EQ(old.points[2], Point(0, 2.5, -0.5));  // in hundredths
+  EXPECT_EQ(old.points[2], Point(0, 2.5, -0.5));  // stored in hundredths
   const MeshLists floats = read_mesh(
       "lh.orig", "\xFF\xFF\xFD" + three_bytes({4, 2}) +
                      big_floats({0, 0, 0, 1, 0, 0, 0, 2.5F, -0.5F, 0, 0, 1.5F}) + corners);
@@ -244,7 +244,7 @@ TEST(FreeSurferSurface, QuadsAreDividedAsFreeSurferDividesThem) {
   EXPECT_EQ(floats.points, old.points);
 }
 
-TEST(FreeSurferSurface, LiesAreRefused) {
+TEST(FreeSurferSurface, MalformedFilesAreRefused) {
   const std::string whole = freesurfer();
   for (std::size_t size = 1; size < whole.size(); ++size) {
     expect_bad_mesh("lh.white", whole.substr(0, size), {});
@@ -270,7 +270,7 @@ TEST(FreeSurferValues, InBothFormats) {
   EXPECT_EQ(read_field_values("v.txt", "0.5 -1\n2"), expected);
 }
 
-TEST(FreeSurferValues, LiesAreRefused) {
+TEST(FreeSurferValues, MalformedFilesAreRefused) {
   const std::string head = "\xFF\xFF\xFF";
   expect_bad_field("lh.curv", head + big_endian({2'000'000'000, 2, 1}) + "0000", {"2000000000"});
   expect_bad_field("lh.curv", head + big_endian({1, 2, 3}) + "0000", {"3 values per vertex"});
@@ -308,7 +308,7 @@ TEST_F(NibabelMeshes, AreReadAsTheyWereWritten) {
   const std::vector<double> expected = {0.5, -1, 2000, 0.25};
   EXPECT_EQ(read_field_values(file("lh.thickness")), expected);
   EXPECT_EQ(read_field_values(file("v.shape.gii")), expected);
-  // nibabel says BigEndian, but writes the bytes in this machine's order.
+  // nibabel writes BigEndian in the header, but the bytes in the order of the machine.
   for (const char* encoding : {"ASCII", "Base64Binary", "GZipBase64Binary"}) {
     expect_tetrahedron(read_mesh(file(encoding + "-little.surf.gii"s)));
   }

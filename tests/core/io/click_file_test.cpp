@@ -75,11 +75,11 @@ TEST_F(ClickFiles, ColumnsAreFoundByTheirNames) {
   EXPECT_FALSE(read.closed);
 }
 
-TEST_F(ClickFiles, FcsvIsACurveOfItsPointsToo) {
+TEST_F(ClickFiles, FcsvIsAlsoReadAsACurve) {
   const auto curves = read("a.fcsv", "# CoordinateSystem = LPS\n" + kPoints);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(test::positions(curves[0]).size(), 3U);
-  EXPECT_EQ(curves[0].pins, std::vector<std::size_t>{});  // which column is lock is not said
+  EXPECT_EQ(curves[0].pins, std::vector<std::size_t>{});  // no column is named lock
 }
 
 TEST_F(ClickFiles, RefusesMalformedFcsv) {
@@ -117,7 +117,7 @@ TEST_F(ClickFiles, PointListsOfMarkupsAreRead) {
   EXPECT_EQ(clicks("a.mrk.json", list("Fiducial", kThree), kInRas).at(0), Point(-1, -2, 3));
 }
 
-TEST_F(ClickFiles, RefusesWhatIsNoListOfPoints) {
+TEST_F(ClickFiles, RefusesMarkupsWithoutAPointList) {
   expect_no_clicks("a.mrk.json", list("ROI", kThree), {"markups[0]", "Fiducial", "ROI"});
   expect_no_clicks("a.mrk.json", R"({"markups": []})", {"markups", "0 markups"});
   expect_no_clicks("a.mrk.json", R"({"markups": [{"type": "Fiducial"}, {"type": "Fiducial"}]})",
@@ -143,7 +143,7 @@ TEST_F(ClickFiles, FcsvIsWrittenForOneCurve) {
   write_curves(path("a.fcsv"), mesh, std::span(curves).first(1), LengthUnit::named("cm"));
   const std::string bytes = bytes_of(path("a.fcsv"));
   EXPECT_NE(bytes.find("# CoordinateSystem = LPS\n" + kColumns + "1,"), std::string::npos) << bytes;
-  // In millimetres, whatever the unit of the mesh.
+  // Positions are in millimetres for any unit of the mesh.
   const Point first = test::positions(read_curves(path("a.fcsv")).at(0)).front();
   EXPECT_LT((first - 10 * mesh.position(curves[0].points[0])).norm(), 1e-13);
 }

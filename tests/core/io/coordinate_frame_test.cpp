@@ -1,4 +1,4 @@
-// Spaces and units that files say, and what becomes of positions that come from another.
+// Spaces and units named in files, and the conversion of positions between them.
 #include <array>
 #include <string>
 #include <vector>
@@ -52,7 +52,7 @@ TEST_F(Frames, OfMeshesAreReadWhereSlicerWritesThem) {
   EXPECT_EQ(space("a.stl", "solid 3D Slicer output. SPACE=RAS\n" + kFacet + "endsolid\n"),
             PatientSpace::kRas);
   EXPECT_EQ(space("a.stl", binary_stl("3D Slicer output. SPACE=LPS")), PatientSpace::kLps);
-  // Other words are none.
+  // Other words are no space.
   for (const char* note : {"SPACE=RASTER", "SPACE=", "SPACE=LAS", "NOSPACE RAS", "space=RAS"}) {
     EXPECT_EQ(space("a.ply", ply("comment " + std::string(note) + "\n")), PatientSpace::kNotSaid)
         << note;
@@ -60,7 +60,7 @@ TEST_F(Frames, OfMeshesAreReadWhereSlicerWritesThem) {
   }
 }
 
-TEST_F(Frames, OfMeshesAreWrittenAsTheyCame) {
+TEST_F(Frames, OfMeshesAreKeptInFiles) {
   MeshLists lists = read_mesh(path("a.ply"), ply("comment SPACE=RAS\n"));
   for (const char* name : {"b.ply", "b.obj", "b.stl"}) {
     EXPECT_TRUE(write_mesh(path(name), lists, {}).empty()) << name;
@@ -82,7 +82,7 @@ std::string markup(const std::string& members) {
 const std::vector<Point> kAsIs{{1, 2, 3}, {4, 5, 6}};
 const std::vector<Point> kTurned{{-1, -2, 3}, {-4, -5, 6}};
 
-TEST_F(Frames, OfMarkupsAndMeshesMeet) {
+TEST_F(Frames, OfMarkupsAreConvertedToFramesOfMeshes) {
   const auto expect = [&](const std::string& system, const CoordinateFrame& mesh, bool turned) {
     const std::string member = system.empty() ? "" : "\"coordinateSystem\": \"" + system + "\", ";
     const auto curves = read_curves(path("a.mrk.json"), markup(member), mesh);
@@ -137,7 +137,7 @@ TEST_F(Frames, OfOtherCurveFilesAreKnownByTheirNotes) {
       {"a.ply", ply_of(""), ply_of("comment SPACE=RAS\n")},
       {"a.vtp", vtp(""), vtp(field)}};
   for (const auto& [name, plain, noted] : files) {
-    // A file that says nothing is in the space of its mesh.
+    // A file that names no space is in the space of its mesh.
     for (const CoordinateFrame& frame : {CoordinateFrame(), kInLps, kInRas}) {
       EXPECT_EQ(test::positions(read_curves(path(name), plain, frame).at(0)), kAsIs) << name;
     }

@@ -1,4 +1,4 @@
-// What all curve formats have in common: round trips, whole files, clear refusals.
+// Properties of all curve formats: round trips, files written completely, errors with a sentence.
 #include "talweg/core/io/curve_file.hpp"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ TEST_P(PositionFormats, SurviveDamage) {
 INSTANTIATE_TEST_SUITE_P(All, PositionFormats,
                          ::testing::Values("c.obj", "c.ply", "c.vtp", "c.vtk", "c.mrk.json"));
 
-TEST_F(CurveFile, OursGivesPointsBackBitForBit) {
+TEST_F(CurveFile, JsonKeepsPointsBitForBit) {
   const SurfaceMesh mesh = test::odd_sphere();
   const std::vector<SurfaceCurve> curves{test::ring(mesh), test::walk(mesh),
                                          test::vertex_walk(mesh, 40, 9)};
@@ -85,8 +85,8 @@ TEST_F(CurveFile, OursGivesPointsBackBitForBit) {
   EXPECT_EQ(bytes_of(path("a.json")), bytes_of(path("b.json")));
 }
 
-// Every edge, both ways round in its faces, with fractions that rounding likes to change.
-TEST_F(CurveFile, OursLosesNoFractionOnAnyEdge) {
+// Every edge, as a side of both its faces, with fractions that rounding could change.
+TEST_F(CurveFile, JsonKeepsFractionsOnEveryEdge) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::sphere(1));
   const Surface& surface = mesh.surface();
   std::vector<SurfaceCurve> curves;
@@ -107,7 +107,7 @@ TEST_F(CurveFile, OursLosesNoFractionOnAnyEdge) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const OnEdge& wanted = std::get<OnEdge>(curves[c].points[0].where());
     const SurfacePoint& point = found[c].points[0];
-    // Next to the end where 1 - t is stored, t itself is rounded to what 1 - t can say.
+    // Near the end of an edge where 1 - t is stored, t is rounded to the precision of 1 - t.
     const auto* edge = std::get_if<OnEdge>(&point.where());
     if (edge == nullptr || !(*edge == wanted)) ++lost;
   }
@@ -160,7 +160,7 @@ TEST_F(CurveFile, EachFaceContainsThePointAndTheNext) {
   }
 }
 
-TEST_F(CurveFile, RefusesWhatIsNoCurveOnTheMesh) {
+TEST_F(CurveFile, RefusesCurvesThatDoNotLieOnTheMesh) {
   const SurfaceMesh mesh = test::odd_sphere();
   const auto code = [&](const std::vector<SurfaceCurve>& curves) {
     try {

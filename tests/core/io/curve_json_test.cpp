@@ -1,4 +1,4 @@
-// Curves in our JSON and in 3D Slicer's markups.
+// Curves in Talweg's JSON and in 3D Slicer's markups.
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -112,7 +112,7 @@ TEST_F(CurveSlicer, LpsIsTheMeshesOwnFrame) {
 }
 
 // RAS and LPS differ by a half turn about the third axis.
-TEST_F(CurveSlicer, RasIsTurned) {
+TEST_F(CurveSlicer, RasIsConvertedToLps) {
   const auto curves =
       read("a.mrk.json", markups("ClosedCurve", "\"coordinateSystem\": \"RAS\", ", kTwo));
   ASSERT_EQ(curves.size(), 1U);
@@ -128,7 +128,7 @@ TEST_F(CurveSlicer, PointsWithoutPositionAreLeftOut) {
   EXPECT_EQ(curves[0].pins, (std::vector<std::size_t>{0}));
 }
 
-/// The markup of kTwo with these units ("" for none), on a mesh in `mesh`.
+/// Reads the markup of kTwo with these units ("" for none) in the unit `mesh`.
 std::vector<Point> in_units(const std::filesystem::path& path, const std::string& units,
                             const char* mesh) {
   std::string text = markups("Curve", "\"coordinateSystem\": \"RAS\", ", kTwo);
@@ -158,7 +158,7 @@ TEST_F(CurveSlicer, PositionsAreConvertedToTheUnitOfTheMesh) {
   expect("\"m\"", "km", 1e-3);
   expect("\"[in_i]\"", "cm", 2.54);
   expect("[\"um\", \"UCUM\", \"micrometer\"]", "mm", 1e-3);
-  // Exactly what the file has, where the units are the same.
+  // Equal units leave the numbers unchanged.
   EXPECT_EQ(in_units("a.mrk.json", "\"um\"", "um"),
             (std::vector<Point>{{-1, -2, 3}, {-4.5, -5, 6}}));
 }
@@ -184,7 +184,7 @@ TEST_F(CurveSlicer, UnitsThatAreUnknownAreRefused) {
   EXPECT_THROW(LengthUnit::named("MM"), Error);
 }
 
-TEST_F(CurveSlicer, IsKnownByItsContentToo) {
+TEST_F(CurveSlicer, IsAlsoRecognizedByContent) {
   EXPECT_EQ(read("a.json", markups("Curve", "", kTwo)).size(), 1U);
 }
 

@@ -15,7 +15,7 @@ using Marks = std::vector<double>;
 
 constexpr double kTolerance = 0.1 + 0.2;  // has no short decimal form
 
-/// A loop and an open curve of which something is said, and one of which nothing is.
+/// A loop and an open curve with marks, and a curve without marks.
 std::vector<PlacedCurve> marked_curves(const SurfaceMesh& mesh) {
   std::vector<PlacedCurve> curves{place(mesh, test::ring(mesh)), place(mesh, test::walk(mesh)),
                                   place(mesh, test::vertex_walk(mesh, 40, 3))};
@@ -45,7 +45,7 @@ TEST_F(CurveMarks, ComeBackFromFilesThatHoldThem) {
   }
 }
 
-TEST_F(CurveMarks, OtherFormatsLeaveThemOut) {
+TEST_F(CurveMarks, AreLeftOutInOtherFormats) {
   const SurfaceMesh mesh = test::odd_sphere();
   std::vector<PlacedCurve> plain = marked_curves(mesh), marked = plain;
   for (PlacedCurve& curve : plain) curve.exact.clear();
@@ -56,7 +56,7 @@ TEST_F(CurveMarks, OtherFormatsLeaveThemOut) {
   EXPECT_FALSE(holds_way_points("a.txt"));
 }
 
-TEST_F(CurveMarks, WithoutAnyTheBytesAreThoseOfFilesWithoutThem) {
+TEST_F(CurveMarks, UnmarkedCurvesGiveFilesWithoutMarks) {
   const SurfaceMesh mesh = test::odd_sphere();
   std::vector<PlacedCurve> plain = marked_curves(mesh);
   for (PlacedCurve& curve : plain) curve.exact.clear();
@@ -69,7 +69,7 @@ TEST_F(CurveMarks, WithoutAnyTheBytesAreThoseOfFilesWithoutThem) {
   }
 }
 
-TEST_F(CurveMarks, StandInOurJsonAsDocumented) {
+TEST_F(CurveMarks, AreInJsonAsDocumented) {
   const SurfaceMesh mesh = test::odd_sphere();
   write_curves(path("a.json"), marked_curves(mesh));
   const auto root = nlohmann::json::parse(bytes_of(path("a.json")));
@@ -88,13 +88,13 @@ std::string json_with(const std::string& exact) {
          exact + R"(, "note": "a click"}, {"face": 0, "barycentric": [0, 1, 0]}]}]})";
 }
 
-TEST_F(CurveMarks, MembersThatAreUnknownArePassedOver) {
+TEST_F(CurveMarks, UnknownMembersAreIgnored) {
   const auto curves = read("a.json", json_with("true"));
   EXPECT_EQ(marks_of_all(curves), (std::vector<Marks>{{0, kNotSaid}}));
   EXPECT_EQ(marks_of_all(read("a.json", json_with("0"))), marks_of_all(curves));
 }
 
-TEST_F(CurveMarks, ThatAreNoneAreRefusedWithTheirPlace) {
+TEST_F(CurveMarks, InvalidMarksAreRefusedWithTheirPlace) {
   for (const char* bad : {"-1", "-0.5", "null", "\"yes\"", "[0]", "{}"}) {
     expect_refused("a.json", json_with(bad),
                    {"curves[0].points[0].exact", "true, false or a tolerance of 0 or more"});
@@ -118,8 +118,8 @@ TEST_F(CurveMarks, AreReadBesideOtherDataOfVtk) {
   EXPECT_EQ(marks_of_all(read("a.vtk", vtk_with(cells))), (std::vector<Marks>{{}}));
 }
 
-TEST_F(CurveMarks, OfTheEndOfALoopAreThoseOfItsBeginning) {
-  // VTK repeats the first point of a loop, and other programs may do so with coordinates.
+TEST_F(CurveMarks, AMarkOfTheRepeatedPointOfALoopCounts) {
+  // VTK repeats the first point of a loop, and other programs may repeat its coordinates.
   const std::string file =
       "# vtk DataFile Version 3.0\na title\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
       "0 0 0 1 0 0 1 1 0 0 0 0\nLINES 1 5\n4 0 1 2 3\n"
@@ -129,7 +129,7 @@ TEST_F(CurveMarks, OfTheEndOfALoopAreThoseOfItsBeginning) {
   EXPECT_EQ(marks_of_all(curves), (std::vector<Marks>{{0, 0, kPainted}}));
 }
 
-TEST_F(CurveMarks, ThatAreNoneOrTooFewAreRefusedInVtk) {
+TEST_F(CurveMarks, InvalidOrMissingMarksAreRefusedInVtk) {
   const auto refuse = [&](const std::string& values, const std::vector<std::string>& parts) {
     const auto n = std::to_string(std::count(values.begin(), values.end(), ' ') + 1);
     expect_refused(
@@ -144,7 +144,7 @@ TEST_F(CurveMarks, ThatAreNoneOrTooFewAreRefusedInVtk) {
   refuse("0 0", {"one number exact for each of 3 points, found 2"});
 }
 
-TEST_F(CurveMarks, ThatAreNoneOrTooFewAreRefusedInVtp) {
+TEST_F(CurveMarks, InvalidOrMissingMarksAreRefusedInVtp) {
   const SurfaceMesh mesh = test::odd_sphere();
   const std::string good = curve_bytes("a.vtp", marked_curves(mesh));
   const std::size_t from = good.find("Name=\"exact\""), to = good.find("</DataArray>", from);
@@ -160,7 +160,7 @@ TEST_F(CurveMarks, ThatAreNoneOrTooFewAreRefusedInVtp) {
   expect_refused("a.vtp", with("0 0\n"), {"one number exact for each of", "found 2"});
 }
 
-TEST_F(CurveMarks, SlicersControlPointsAreToldAsSuch) {
+TEST_F(CurveMarks, SlicersControlPointsAreRecognized) {
   const auto curves = read("a.mrk.json",
                            R"({"markups": [{"type": "Curve", "controlPoints": [
       {"position": [1, 2, 3]}, {"position": [4, 5, 6]}]}]})");

@@ -26,7 +26,7 @@ TEST_F(CurvePins, ComeBackFromFilesThatHoldThem) {
   }
 }
 
-TEST_F(CurvePins, OtherFormatsLeaveThemOutAndFilesWithoutPinsSayNothing) {
+TEST_F(CurvePins, AreLeftOutInOtherFormatsAndInFilesWithoutPins) {
   const SurfaceMesh mesh = test::odd_sphere();
   const std::vector<PlacedCurve> plain = curves_without_pins(mesh);
   std::vector<PlacedCurve> pinned = plain;
@@ -43,7 +43,7 @@ std::string json_pinned(const std::string& pinned) {
          pinned + "}]}]}";
 }
 
-TEST_F(CurvePins, AreTrueOrFalse) {
+TEST_F(CurvePins, MustBeTrueOrFalse) {
   EXPECT_EQ(read("a.json", json_pinned("true")).at(0).pins, Pins{1});
   EXPECT_EQ(read("a.json", json_pinned("false")).at(0).pins, Pins());
   for (const char* bad : {"1", "null", "\"yes\"", "[true]"}) {

@@ -35,7 +35,7 @@ TEST_F(CurveVtk, Ascii) {
   EXPECT_EQ(test::positions(curves[0]), kUnitSquare);
 }
 
-TEST_F(CurveVtk, ClosedWhereTheFirstIndexEnds) {
+TEST_F(CurveVtk, ALineThatEndsAtItsFirstIndexIsClosed) {
   const auto curves = read("a.vtk", kAscii3 + "LINES 1 6\n5 0 1 2 3 0\n");
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_TRUE(curves[0].closed);

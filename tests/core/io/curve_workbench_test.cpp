@@ -1,5 +1,4 @@
-// Border files of connectome-workbench: what its own writer makes, written and read again, and
-// lies.
+// Border files of connectome-workbench: files of its own writer, round trips, and malformed files.
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -62,7 +61,7 @@ TEST(WorkbenchBorders, AreReadAsPointsBetweenVertices) {
   }
 }
 
-TEST(WorkbenchBorders, WeightsOfSixDigitsAreTakenForWhatTheyMean) {
+TEST(WorkbenchBorders, WeightsOfSixDigitsAreNormalized) {
   const auto curves =
       read_curves("a.border", border(part("0 1 2 0 2 3", "0.333333 0.333333 0.333333 0 0 1")));
   const SurfaceMesh mesh = square();
@@ -85,7 +84,7 @@ TEST(WorkbenchBorders, AreWrittenAndReadAgain) {
   const auto curves = read_curves("sub.L.border", bytes);
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(snap(mesh, curves)[1].points, curve.points);
-  // Names within a class differ, so borders between the same labels are parts of one.
+  // Names are unique within a class, so borders between the same labels are parts of one border.
   const std::vector<SideLabels> sides = {{3, 7}, {3, 7}};
   const std::string of_labels = border_bytes("rh.border", placed, sides);
   EXPECT_NE(of_labels.find("CORTEX_RIGHT"), of_labels.npos);
@@ -107,7 +106,7 @@ void expect_refused(const std::string& bytes, std::initializer_list<const char*>
   }
 }
 
-TEST(WorkbenchBorders, LiesAreRefused) {
+TEST(WorkbenchBorders, MalformedFilesAreRefused) {
   expect_refused("no xml", {"XML"});
   expect_refused("<VTKFile/>", {"<BorderFile>"});
   expect_refused(border("", "Version=\"1\""), {"version '1'", "-border-version-convert"});
@@ -148,7 +147,7 @@ TEST(WorkbenchBorders, OfAnotherMeshAreRefused) {
 }
 
 TEST(WorkbenchBorders, KeepTheFilesNumbersWhereAMeshIsRepaired) {
-  // A face that uses a vertex twice is dropped, and another one is turned over.
+  // Repair drops a face that uses a vertex twice and reverses another face.
   MeshLists lists;
   lists.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   lists.triangles = {{0, 0, 1}, {0, 1, 2}, {0, 3, 2}};

@@ -1,4 +1,4 @@
-// Files that cannot be written: an error that names the file, and what was there before stays.
+// Files that cannot be written: the error names the file, and an existing file stays.
 #include "talweg/core/io/file_bytes.hpp"
 
 #include <csignal>
@@ -34,7 +34,7 @@ class FileBytes : public TemporaryFolder {
   }
 };
 
-/// While it lives no file may grow beyond so many bytes, as if the disk were full.
+/// Limits the size of files during its lifetime, like a full disk.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -84,7 +84,7 @@ TEST_F(FileBytes, FoldersAndAbsentFoldersAreNamed) {
   EXPECT_THROW(read_file(write("empty", "")), Error);
 }
 
-TEST_F(FileBytes, WhatCannotBeWrittenIsKnownBefore) {
+TEST_F(FileBytes, UnwritableFilesAreDetectedBefore) {
   const auto reason = [](const std::filesystem::path& path) -> std::string {
     try {
       check_writable(path);

@@ -1,4 +1,4 @@
-// Files of tests are put together byte by byte.
+// Bytes of formats for files of tests.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace talweg::test {
 
-/// Appends a number, little-endian or turned around.
+/// Appends a number, big-endian if `big`, otherwise little-endian.
 template <class T>
 void put_number(std::string& bytes, T value, bool big = false) {
   char raw[sizeof(T)];
@@ -20,7 +20,7 @@ void put_number(std::string& bytes, T value, bool big = false) {
   bytes.append(raw, sizeof(T));
 }
 
-/// The sentence that reading raises, without "Cannot read NAME"; empty where it reads.
+/// The error message of reading, without "Cannot read NAME"; empty if reading succeeds.
 inline std::string refusal_of(const std::string& name, std::string_view bytes) {
   try {
     read_mesh(name, bytes);

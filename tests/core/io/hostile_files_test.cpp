@@ -1,5 +1,5 @@
-// Files that lie, are cut off, nest, or are no text at all: one sentence with the place, no memory
-// for what is not there.
+// Hostile files: false sizes, truncation, deep nesting, binary data as text. Each gives one error
+// with the place, and no memory for data that do not exist.
 #include <algorithm>
 #include <cstring>
 #include <initializer_list>
@@ -22,8 +22,7 @@ namespace {
 using namespace std::string_view_literals;
 using namespace std::string_literals;
 
-/// What a reader says; fails where it takes the file, or says something else than an
-/// Error(kBadFile) with the file's name and these words.
+/// Expects an Error(kBadFile) with the name of the file and these words.
 template <class Read>
 void expect_refused(Read read, std::string_view name, std::string_view bytes,
                     std::initializer_list<const char*> words) {
@@ -61,7 +60,8 @@ std::string raw(std::initializer_list<T> values) {
   return bytes;
 }
 
-/// While it lives the process gets no more memory than 4 GiB of addresses, which no lie fits in.
+/// Limits the address space of the process to 4 GiB during its lifetime, too little for any false
+/// size.
 class LittleMemory {
  public:
   LittleMemory() {
@@ -82,7 +82,7 @@ const std::string kPlyVertices =
     "property float x\nproperty float y\nproperty float z\nelement face 1\n"
     "property list uint int vertex_indices\nend_header\n";
 
-TEST(HostileFiles, SizesThatLieTakeNoMemory) {
+TEST(HostileFiles, FalseSizesTakeNoMemory) {
   const LittleMemory little;
   const std::string vertices = "element vertex 4000000000\n" + kPlyVertices;
   expect_bad_mesh("a.ply", "ply\nformat ascii 1.0\n" + vertices + "0 0 0\n", {"vertex 1 of 4000"});
@@ -111,14 +111,14 @@ TEST(HostileFiles, SizesThatLieTakeNoMemory) {
           raw({std::uint64_t{1}, std::uint64_t{1} << 62U, std::uint64_t{1}, std::uint64_t{1}}),
       {"byte ", "nodes are announced"});
   expect_bad_mesh("a.glb", "glTF" + raw({2U, 100U, 0xFFFFFFFFU}) + "JSON{}", {"chunk"});
-  // A header that the file's length allows, but not its positions.
+  // A header with sizes that the length of the file allows, but not the positions.
   expect_bad_mesh("a.om",
                   "OMT\x20"s + raw({999'999U, 1U, 3U}) + raw({std::uint16_t{0x1400}}) +
                       std::string(1'000'000, '\0'),
                   {"ends in the positions"});
 }
 
-TEST(HostileFiles, SizesOfCurveFilesThatLieTakeNoMemory) {
+TEST(HostileFiles, FalseSizesOfCurveFilesTakeNoMemory) {
   const LittleMemory little;
   expect_bad_curve("a.ply",
                    "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty "

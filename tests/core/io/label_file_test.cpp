@@ -1,4 +1,5 @@
-// Labels from files: every format by bytes made here, FreeSurfer's by nibabel's too, and lies.
+// Labels from files: every format from bytes made here, FreeSurfer's from nibabel, too, and
+// malformed files.
 #include "talweg/core/io/label_file.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::string counted(const std::string& text) {
   return big_endian({static_cast<std::int32_t>(text.size() + 1)}) + text + '\0';
 }
 
-/// Four vertices: two of the color of "motor", one of "visual", one of none.
+/// Four vertices: two with the color of "motor", one with "visual", one without color.
 constexpr std::int32_t kMotor = 25 + (5 << 8) + (200 << 16), kVisual = 1 + (2 << 8) + (3 << 16);
 std::string annot_vertices() { return big_endian({4, 0, kMotor, 1, kVisual, 2, 0, 3, kMotor}); }
 std::string annot() {
@@ -75,7 +76,7 @@ TEST(LabelFile, OfFreeSurferHasTheNumbersAndNamesOfTheColorTable) {
   const LabelFile old = read("lh.annot", old_annot());
   EXPECT_EQ(old.labels, (Labels{0, 1, -1, 0}));
   EXPECT_EQ(old.names.at(1), "visual");
-  // The order of the vertices is free. Without a table the colors are all there is.
+  // The vertices may come in any order. Without a table the colors are the labels.
   EXPECT_EQ(read("lh.annot", big_endian({2, 1, 5, 0, 6})).labels, (Labels{6, 5}));
   for (const std::string& end : {""s, big_endian({0})}) {
     EXPECT_EQ(read("lh.annot", annot_vertices() + end).labels,
@@ -83,10 +84,10 @@ TEST(LabelFile, OfFreeSurferHasTheNumbersAndNamesOfTheColorTable) {
   }
 }
 
-TEST(LabelFile, OfFreeSurferRefusesLies) {
+TEST(LabelFile, OfFreeSurferRefusesMalformedFiles) {
   const std::string whole = annot();
   for (std::size_t size = 0; size < whole.size(); ++size) {
-    if (size == annot_vertices().size()) continue;  // without its table it is whole
+    if (size == annot_vertices().size()) continue;  // without its table the file is complete
     try {
       read("lh.annot", whole.substr(0, size));
       ADD_FAILURE() << "taken at " << size << " bytes";
@@ -125,7 +126,7 @@ TEST(LabelFile, OfFreeSurferListsVertices) {
 
 class NibabelLabels : public TemporaryFolder {
  protected:
-  /// What python printed; false where it failed.
+  /// Runs a Python script; false if it fails.
   bool python(const std::string& script) {
     const std::string path = write("script.py", script);
     return std::system(
@@ -150,7 +151,7 @@ TEST_F(NibabelLabels, WritesWhatIsRead) {
   EXPECT_EQ(found.labels, (Labels{2, 0, -1, 1, 2, 2, 0}));
   EXPECT_EQ(bytes_of(file("out.txt")), "2 0 -1 1 2 2 0\n");
   EXPECT_EQ(found.names.at(1), "bankssts");
-  // And the other way: nibabel takes the bytes of this test as they are taken here.
+  // nibabel must read the bytes of this test with the same result.
   write("made.annot", annot());
   write("made.label", "#!ascii label\n2\n1 0 0 0 0\n4 0 0 0 0\n");
   ASSERT_TRUE(
@@ -177,7 +178,7 @@ TEST(LabelFile, OfPlyTakesFacesBeforeVerticesAndFans) {
   EXPECT_EQ(read("m.ply", ply("ascii") + kPlyText, "segment").labels, (Labels{1, 2, 3, 4, 5}));
   EXPECT_EQ(read("m.ply", ply("ascii", "float quality") + kPlyText, "quality").labels,
             (Labels{-7, 8, 8, 9}));
-  // No face property that is usual: the vertices'.
+  // Without a face property of a usual name, the vertex property is read.
   EXPECT_EQ(read("m.ply", ply("ascii", "float quality") + kPlyText).labels,
             (Labels{1, 2, 3, 4, 5}));
 }
@@ -208,7 +209,7 @@ TEST(LabelFile, OfBinaryPly) {
   }
 }
 
-TEST(LabelFile, OfPlyRefusesWhatIsNoLabel) {
+TEST(LabelFile, OfPlyRefusesNumbersThatAreNoLabels) {
   expect_refused("m.ply", ply("ascii") + kPlyText, "segment, label", "color");
   expect_refused("m.ply",
                  ply("ascii", "float label") +
@@ -230,7 +231,7 @@ TEST(LabelFile, OfLegacyVtk) {
   EXPECT_EQ(read("m.vtk", kVtk).labels, (Labels{4, -9}));
   EXPECT_EQ(read("m.vtk", kVtk, "lobes").labels, (Labels{1, 1, 2, 3}));
   expect_refused("m.vtk", kVtk, "0.5", "area");
-  expect_refused("m.vtk", kVtk, "region", "rgb");  // three numbers each
+  expect_refused("m.vtk", kVtk, "region", "rgb");  // three components
   expect_refused("m.vtk", kVtk.substr(0, kVtk.find("4 -9")), "number");
   std::string binary =
       "# vtk DataFile Version 3.0\nlabels\nBINARY\nDATASET POLYDATA\n"

@@ -1,4 +1,4 @@
-// Labels as tables and arrays, and every format that is written: by its bytes, and read again.
+// Labels as tables and arrays, and every written format: its bytes, and its round trip.
 #include <cstdlib>
 #include <initializer_list>
 #include <string>
@@ -53,7 +53,7 @@ TEST(LabelLists, OfTables) {
   EXPECT_EQ(read("a.csv", "label\r\n1\r\n2.0\r\n").labels, (Labels{1, 2}));
   EXPECT_EQ(read("a.csv", "vertex,label\n0,5\n2,7\n1,6\n").labels, (Labels{5, 6, 7}));
   EXPECT_EQ(read("a.csv", "face;area;region\n1;0.5;8\n0;0.25;9\n").labels, (Labels{9, 8}));
-  EXPECT_EQ(read("a.csv", ",parcel\n0,4\n1,3\n").labels, (Labels{4, 3}));  // as pandas writes it
+  EXPECT_EQ(read("a.csv", ",parcel\n0,4\n1,3\n").labels, (Labels{4, 3}));  // as written by pandas
   const std::string names = "name\tparcel\tlobe\n\"a\tb\"\t1\t5\nc\t2\t6\n";
   EXPECT_EQ(read("a.csv", names, "lobe").labels, (Labels{5, 6}));
   expect_unread("a.csv", names, {"no column label", "name, parcel, lobe"});
@@ -185,7 +185,7 @@ TEST(LabelWriter, WritesWhatIsReadAgain) {
 TEST(LabelWriter, KeepsNamesAndColors) {
   LabelOutput output = of_vertices({3, 5, 3, 9});
   output.names = {{3, "a & b < c"}, {5, "motor"}, {6, "unused"}};
-  // 5 has the color of 3, and 9 has none.
+  // Label 5 has the color of label 3, and label 9 has no color.
   output.colors = {{3, {1, 0, 0.2, 1}}, {5, {1, 0, 0.2, 1}}, {6, {0, 0, 1, 0}}};
   for (const char* name : {"a.annot", "a.label.gii"}) {
     const LabelFile back = read(name, label_bytes(name, output, kSquare));
@@ -196,7 +196,7 @@ TEST(LabelWriter, KeepsNamesAndColors) {
     EXPECT_EQ(back.colors.at(3), (LabelColor{1, 0, 0.2, 1})) << name;
     EXPECT_EQ(back.colors.at(6), (LabelColor{0, 0, 1, 0})) << name;
   }
-  // In an .annot colors tell labels apart, so the next free one is taken.
+  // Colors identify labels in an .annot file, so label 5 gets the next free color.
   const LabelFile annot = read("a.annot", label_bytes("a.annot", output, kSquare));
   EXPECT_EQ(annot.colors.at(5), (LabelColor{0, 1.0 / 255, 0.2, 1}));
 }
@@ -208,12 +208,12 @@ TEST(LabelWriter, KeepsAttributesOfTheMesh) {
   const std::string bytes = label_bytes("a.ply", of_vertices({4, 5, 6, 7}), kSquare, attributes);
   MeshAttributes back;
   EXPECT_EQ(read_mesh("a.ply", bytes, back).points, kSquare.points);
-  ASSERT_EQ(back.faces.size(), 1U);  // the old labels would be found before the new ones
+  ASSERT_EQ(back.faces.size(), 1U);  // a reader would find the old labels before the new ones
   EXPECT_EQ(back.faces[0].values, (std::vector<double>{0.5, 0.25}));
   EXPECT_EQ(read("a.ply", bytes).labels, (Labels{4, 5, 6, 7}));
 }
 
-TEST(LabelWriter, RefusesWhatAFormatCannotHold) {
+TEST(LabelWriter, RefusesLabelsThatAFormatCannotHold) {
   const auto write = [](const char* name, const LabelOutput& output) {
     return [name, &output] { return label_bytes(name, output, kSquare); };
   };

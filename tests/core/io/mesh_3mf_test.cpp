@@ -1,4 +1,4 @@
-// 3MF: a zip archive, put together here, with a model in XML.
+// 3MF: a zip archive made here, with a model in XML.
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -23,7 +23,7 @@ std::uint32_t sum_of(std::string_view bytes) {  // CRC-32 of zip archives
   return ~sum;
 }
 
-/// Deflate data with one block that is not compressed.
+/// Deflate data with one uncompressed block.
 std::string deflated(const std::string& bytes) {
   std::string packed(1, '\1');
   put_number(packed, static_cast<std::uint16_t>(bytes.size()));
@@ -117,7 +117,7 @@ TEST(ThreeMf, StoredPackedAndWideArchives) {
 }
 
 TEST(ThreeMf, ItemsComponentsAndOtherParts) {
-  // Rows: x stays, y to z, z to minus y; then moved by (10, 20, 30).
+  // The rows of the transform: x stays, y goes to z, z to -y; then a shift by (10, 20, 30).
   const std::string turn = R"( transform="1 0 0 0 0 1 0 -1 0 10 20 30")";
   const std::string text = model(
       mesh("1") + mesh("5", "type=\"support\"") +

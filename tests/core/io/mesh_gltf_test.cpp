@@ -98,7 +98,7 @@ TEST(GltfMesh, PrimitivesShareTheirVerticesAndLinesAreTold) {
 }
 
 TEST(GltfMesh, NodesArePlacedAndMirroredOnesTurned) {
-  // Scaled by 2, turned by 90 degrees about z, moved; then its child, mirrored in x.
+  // A node scaled by 2, rotated by 90 degrees about z and moved; its child, mirrored in x.
   const MeshLists lists = read_mesh(
       "a.gltf",
       gltf(R"({"translation":[10,0,0],"rotation":[0,0,0.7071067811865476,0.7071067811865476],
@@ -181,7 +181,7 @@ TEST_F(GltfFiles, BuffersBesideTheFile) {
                            "%2e%2e/a.bin", "http://a.org/a.bin", ""}) {
     const std::string name = std::string("b.gltf");
     write(name, gltf(node, what, away));
-    if (std::string_view(away).empty()) continue;  // then there is no uri
+    if (std::string_view(away).empty()) continue;  // the node then has no uri
     try {
       read_mesh(file(name));
       ADD_FAILURE() << away;

@@ -1,4 +1,4 @@
-// Gmsh's MSH files, by the examples of its manual.
+// Gmsh's MSH files, following the examples of its manual.
 #include <string>
 #include <vector>
 
@@ -14,7 +14,7 @@ using Faces = std::vector<Triangle>;
 const std::string kNames =
     "$PhysicalNames\n2\n1 5 \"rim\"\n2 7 \"skin of \"it\"\"\n$EndPhysicalNames\n";
 
-// Six nodes with numbers in no order; a point, a line, a triangle and a quadrangle.
+// Six nodes with unordered numbers; a point, a line, a triangle and a quadrangle.
 const std::string kText2 =
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nby hand $Nodes\n$EndComments\n" + kNames +
     "$Nodes\n6\n10 0 0 0\n3 1 0 0\n7 1 1 0\n8 0 1 0\n90 2 0 0\n91 5 5 5\n$EndNodes\n"
@@ -38,7 +38,7 @@ TEST(MshMesh, TextOfVersion2) {
   EXPECT_EQ(attributes.names[0].of_face, (std::vector<std::uint32_t>{1, 0, 0}));
 }
 
-/// The same mesh in binary; ints and doubles in either order of bytes.
+/// The same mesh in binary, in either byte order.
 std::string binary2(bool big) {
   std::string bytes = "$MeshFormat\n2.2 1 8\n";
   put_number(bytes, std::int32_t{1}, big);
@@ -121,7 +121,7 @@ TEST(MshMesh, BinaryOfVersion4) {
   }
 }
 
-TEST(MshMesh, VolumesAreToldAndNoSurface) {
+TEST(MshMesh, VolumesAreReportedAndAreNoSurface) {
   const std::string start =
       "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
       "$EndNodes\n$Elements\n";

@@ -25,7 +25,7 @@ using Triangles = std::vector<Triangle>;
 
 class MeshReader : public TemporaryFolder {
  protected:
-  /// The sentence that reading raises, without the folder; empty where it reads.
+  /// The error message of reading, without the folder; empty if reading succeeds.
   std::string refusal(std::string_view name, std::string_view bytes) const {
     try {
       read_mesh(write(name, bytes));
@@ -52,7 +52,7 @@ void put(std::string& bytes, T value, bool big) {
   bytes.append(raw, sizeof(T));
 }
 
-/// A pentagon and a triangle, with elements and properties that do not matter in between.
+/// A pentagon and a triangle, with elements and properties in between that readers skip.
 std::string binary_ply(bool big) {
   std::string bytes = std::string("ply\nformat binary_") + (big ? "big" : "little") +
                       "_endian 1.0\ncomment made\nelement material 1\nproperty list uchar float a\n"
@@ -137,7 +137,8 @@ TEST_F(MeshReader, PlyTriangleStrips) {
   const std::string strips = "element tristrips 2\nproperty list int int vertex_indices\n";
   const std::string faces = "element face 0\nproperty list uchar int vertex_indices\n";
   const std::string points = "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n";
-  // The first strip goes on to another after a -1, the second turns by repeating a vertex.
+  // The first strip continues after -1 as another strip; the second strip turns at a repeated
+  // vertex.
   const std::string indices = "8 0 2 1 3 -1 2 4 3\n6 3 4 5 5 1 0\n";
   const Triangles expected{{0, 2, 1}, {1, 2, 3}, {2, 4, 3}, {3, 4, 5}, {1, 5, 0}};
   for (const std::string& elements : {strips, faces + strips, strips + faces}) {
@@ -187,7 +188,8 @@ TEST_F(MeshReader, PlyHeadersThatMakeNoSense) {
                     "vertex_indices\nend_header\n"),
             ": the PLY header must announce vertices once and faces at most once.");
   EXPECT_NE(refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex -3\n"), "");
-  // Far more than there can be, announced by a small file: refused at once, without the memory.
+  // A small file announces far more elements than it can hold: an error at once, without the
+  // memory.
   EXPECT_NE(refusal("a.ply",
                     "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000000\n"
                     "property float x\nproperty float y\nproperty float z\nend_header\n1234"),
@@ -345,14 +347,14 @@ TEST_F(MeshReader, FilesThatAreNoMeshes) {
                 readable_meshes() + ".");
 }
 
-/// Whatever is read refers only to vertices that exist.
+/// Expects faces that refer only to existing vertices.
 void expect_sound(const MeshLists& lists) {
   for (const Triangle& t : lists.triangles) {
     for (const std::uint32_t v : t) ASSERT_LT(v, lists.points.size());
   }
 }
 
-/// There is a number for everything, and no corner has one that is not there.
+/// Expects a number for every element, and corners that refer only to existing entries.
 void expect_sound(const MeshLists& lists, const MeshAttributes& a) {
   const std::size_t faces = lists.triangles.size();
   for (const auto& column : a.vertices) ASSERT_EQ(column.values.size(), lists.points.size());
@@ -369,7 +371,7 @@ void expect_sound(const MeshLists& lists, const MeshAttributes& a) {
   }
 }
 
-/// Some of every kind.
+/// Attributes of every kind.
 MeshAttributes some_attributes(const MeshLists& lists) {
   MeshAttributes a;
   const std::size_t vertices = lists.points.size(), faces = lists.triangles.size();
@@ -406,7 +408,7 @@ TEST_F(MeshReader, DamagedFilesGiveAnErrorOrASoundMesh) {
       }
       if (k % 5 == 0) damaged.resize((random >> 40U) % damaged.size());
       try {
-        // From memory: thousands of files wear the disk.
+        // Files are read from memory; thousands of files would wear the disk.
         MeshAttributes attributes;
         const MeshLists read = parse({name, damaged}, k % 2 == 0 ? &attributes : nullptr);
         expect_sound(read);

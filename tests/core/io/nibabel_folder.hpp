@@ -1,4 +1,4 @@
-// A temporary folder in which nibabel reads and writes files, where it is installed.
+// A temporary folder for files that nibabel reads and writes, if it is installed.
 #pragma once
 
 #include <cstdlib>
@@ -10,7 +10,8 @@ namespace talweg::test {
 
 class NibabelFolder : public TemporaryFolder {
  protected:
-  /// Runs lines of Python there, after the imports of numpy, nibabel and nibabel.freesurfer as fs.
+  /// Runs lines of Python in the folder, after importing numpy, nibabel and nibabel.freesurfer as
+  /// fs.
   bool python(const std::string& script) {
     write("script.py", "import numpy, nibabel, nibabel.freesurfer as fs\n" + script);
     return std::system(

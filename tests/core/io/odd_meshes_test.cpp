@@ -1,4 +1,4 @@
-// Binary OFF, odd STL, vertices that are nowhere, and formats that are not read.
+// Binary OFF, unusual STL, vertices without a finite position, and formats that are not read.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,7 +20,8 @@ namespace {
 using Faces = std::vector<Triangle>;
 const Faces kQuadAndTriangle{{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};
 
-/// A square and a triangle; `more` is put before the coordinates' end of each vertex.
+/// A square and a triangle as binary OFF, with `more_floats` numbers per vertex after the
+/// coordinates.
 std::string binary_off(const std::string& first_line, int more_floats, bool big, bool colours) {
   std::string bytes = first_line + "\n";
   for (const int n : {5, 2, 0}) put_number(bytes, n, big);
@@ -128,7 +129,7 @@ TEST(OddMeshes, StlInUpperCase) {
             ", line 4: a coordinate is 'nan', which is not a finite number.");
 }
 
-TEST(OddMeshes, VerticesThatAreNowhereAreKeptIfNoFaceUsesThem) {
+TEST(OddMeshes, NonFiniteVerticesAreKeptIfNoFaceUsesThem) {
   const std::string obj = "v nan 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -inf\n";
   const std::string off = "OFF\n5 1 0\nnan 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 -inf\n";
   const std::string ply =
@@ -160,7 +161,7 @@ TEST(OddMeshes, VerticesThatAreNowhereAreKeptIfNoFaceUsesThem) {
   EXPECT_EQ(refusal_of("a.obj", "v 0 x 0\n"), ", line 1: expected a coordinate, found 'x'.");
 }
 
-TEST(OddMeshes, FormatsThatAreNotReadGetAWordOnWhatToDo) {
+TEST(OddMeshes, FormatsThatAreNotReadGetAdvice) {
   const auto says = [](const char* name, const char* words) {
     const std::string what = refusal_of(name, "x");
     EXPECT_NE(what.find(words), what.npos) << what;

@@ -18,7 +18,7 @@ using test::surface_of_lists;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A sheet of 20 x 20 squares whose inner vertices are moved about in the plane.
+/// A sheet of 20 x 20 squares with inner vertices moved in the plane.
 MeshLists crooked_sheet() {
   MeshLists lists = grid(20, 20);
   for (Point& p : lists.points) {
@@ -90,8 +90,8 @@ TEST(BumpConvolution, QuadraticFunctionsRiseByTheSecondMoment) {
 }
 
 TEST(BumpConvolution, RoundsTheKinkOfADistance) {
-  // |x| becomes positive at 0, is unchanged where the kink is out of reach, and never changes by
-  // more than the radius.
+  // |x| becomes positive at 0, stays unchanged beyond the radius from the kink, and changes by at
+  // most the radius.
   const MeshLists lists = grid(20, 20);
   const Surface surface = surface_of_lists(lists);
   std::vector<double> values;
@@ -124,7 +124,7 @@ TEST(BumpConvolution, SymmetricOnASphere) {
   for (int k = 0; k < 10000; ++k) {
     const double r = (k + 0.5) / 10000;
     const double h = std::exp(-1 / (1 - r * r));
-    above += h * r * std::cos(radius * r);  // of the plane's area element, as the rays count it
+    above += h * r * std::cos(radius * r);  // area element of the plane, as along the rays
     below += h * r;
   }
   for (std::size_t v = 0; v < values.size(); ++v) {
@@ -132,13 +132,13 @@ TEST(BumpConvolution, SymmetricOnASphere) {
   }
 }
 
-TEST(BumpConvolution, BoundaryAveragesWhatIsInside) {
+TEST(BumpConvolution, BoundaryAveragesOnlyInnerValues) {
   const MeshLists lists = grid(10, 10);
   const Surface surface = surface_of_lists(lists);
   std::vector<double> values;
   for (const Point& p : lists.points) values.push_back(p.x());
   const auto result = convolve_with_bump(surface, values, {.radius = 2});
-  EXPECT_GT(result[5 * 11], 0.1);  // at x = 0 there are only larger values
+  EXPECT_GT(result[5 * 11], 0.1);  // at x = 0 the neighbours have only larger values
   EXPECT_LT(result[5 * 11], 2);
   EXPECT_LT(result[5 * 11 + 10], 9.9);
   EXPECT_NEAR(result[5 * 11 + 5], 5, 1e-12);
@@ -154,13 +154,13 @@ TEST(BumpConvolution, UnreachedStaysUnreached) {
   std::vector<double> values(surface.vertex_count(), 3.0);
   for (std::size_t k = 0; k < 3; ++k) values[first + k] = kInfinity;
   EXPECT_EQ(convolve_with_bump(surface, values, {.radius = 2}), values);
-  // Also where only part of a component is infinite.
+  // A component that is only partly infinite.
   values[0] = kInfinity;
   EXPECT_EQ(convolve_with_bump(surface, values, {.radius = 2}), values);
 }
 
 TEST(BumpConvolution, DegenerateTriangles) {
-  // A doubled vertex, a zero-area face with three places, a spike of almost no angle.
+  // A duplicate vertex, a face of zero area with three positions, a spike of almost no angle.
   MeshLists lists;
   lists.points = {Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),    Point(1, 0, 0),
                   Point(1, 2, 0), Point(1, 0, 9), Point(1, 1e-14, 9)};

@@ -17,7 +17,7 @@ using test::grid;
 
 using test::ids;
 
-/// Of a grid of 20 by 20.
+/// The middle row of a grid of 20 x 20 squares.
 SurfaceCurve middle_row(const Surface& surface) {
   std::vector<VertexId> row;
   for (std::uint32_t i = 0; i <= 20; ++i) row.emplace_back(10 * 21 + i);
@@ -61,7 +61,7 @@ TEST(Corridor, AConstantFieldIsTheNumber) {
   }
 }
 
-// A row of a plane grid with a slack that grows by 0.1 per unit: all in closed form.
+// A row of a plane grid with a slack that grows by 0.1 per unit; all values have a closed form.
 TEST(Corridor, AFieldIsLinearBetweenThePointsOfTheDrawing) {
   const auto opened = OpenedMesh::open(grid(20, 20));
   const Surface& surface = opened->surface();
@@ -81,7 +81,7 @@ TEST(Corridor, AFieldIsLinearBetweenThePointsOfTheDrawing) {
     const Point x = p + t * (q - p);
     const double beyond = (x.y() - 10) - 0.1 * x.x();
     const auto value = corridor.at(SurfacePoint::on_edge(surface, EdgeId{e}, t));
-    if (std::abs(beyond) < 1e-9) continue;  // on the border
+    if (std::abs(beyond) < 1e-9) continue;  // on the border of the corridor
     const bool outside = beyond > 0;
     EXPECT_NEAR(value[0], outside ? steepness * beyond * beyond : 0, 1e-9);
   }

@@ -54,7 +54,7 @@ TEST(Potential, StaysFinite) {
   EXPECT_EQ(Potential({}, 1, 1)(std::numeric_limits<double>::infinity()), 0);
 }
 
-TEST(Potential, RefusesWhatIsOutOfRange) {
+TEST(Potential, RefusesValuesOutOfRange) {
   EXPECT_THROW(Potential({}, -1, 1), Error);
   EXPECT_THROW(Potential({}, std::nan(""), 1), Error);
   EXPECT_THROW(Potential({}, 1, 0), Error);
@@ -67,8 +67,7 @@ TEST(Potential, RefusesWhatIsOutOfRange) {
 }
 
 TEST(LiftedLengths, KeepTheTriangleInequalityInAnyDimension) {
-  // Corners of a nearly flat triangle with arbitrary heights: the lifted sides are distances in
-  // R^k.
+  // Lifted sides are distances in R^k, also for a nearly flat triangle with arbitrary heights.
   const double ab = 1, bc = 1, ca = 1.9999999;
   const double a[] = {0, 3, -7}, b[] = {1e3, -2, 0.5}, c[] = {-40, 0, 12};
   const double x = lifted_length(ab, a, b), y = lifted_length(bc, b, c),

@@ -25,8 +25,8 @@ double length_in_space(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
   return length;
 }
 
-/// Across a strip of unit squares from (0, 1/2) to (columns, 1/2), over the upright edges and the
-/// diagonals, at the heights given.
+/// A curve across a strip of unit squares from (0, 1/2) to (columns, 1/2), over the upright edges
+/// and the diagonals, at the given heights.
 SurfaceCurve across(const Surface& surface, std::uint32_t columns,
                     const std::vector<double>& height) {
   SurfaceCurve curve{false, {}};
@@ -96,7 +96,7 @@ TEST(Relaxation, ZigzagsBecomeStraight) {
   const CurveMeasures after = measure_curve(mesh.surface(), curve);
   EXPECT_LT(after.total_curvature, 0.1 * before.total_curvature);
   EXPECT_LT(after.length, before.length);
-  // In the end the straight line between the fixed ends is left.
+  // The limit is the straight line between the fixed ends.
   relax(mesh, curve, {.rounds = 3000});
   EXPECT_NEAR(measure_curve(mesh.surface(), curve).length, 6, 1e-9);
   EXPECT_EQ(curve.points.front(), across(mesh.surface(), 6, zigzag(6)).points.front());
@@ -137,7 +137,7 @@ TEST(Relaxation, LengthNeverGrowsAndPointsStayOnTheirEdges) {
   }
   EXPECT_LT(length, 0.9 * length_in_space(mesh, drawn));
 
-  // The direction of the curve and where it starts do not matter.
+  // The direction and the first point of the curve do not matter.
   SurfaceCurve other = drawn;
   std::reverse(other.points.begin(), other.points.end());
   std::rotate(other.points.begin(), other.points.begin() + 5, other.points.end());
@@ -165,7 +165,7 @@ TEST(Relaxation, VerticesFacesAndEndsStay) {
 }
 
 TEST(Relaxation, PointsOfOneEdgeKeepTheirOrder) {
-  // Two passes over the edge 1 - 4 in opposite directions that pull towards each other.
+  // Two passages of the edge 1 - 4 in opposite directions that pull towards each other.
   const SurfaceMesh mesh = SurfaceMesh::open(grid(2, 1));
   const Surface& s = mesh.surface();
   SurfaceCurve curve{

@@ -1,4 +1,4 @@
-// Straight legs are geodesic each for itself, and only those that are drawn anew are made anew.
+// Each straight leg is a geodesic, and only legs that were redrawn are straightened again.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ class StraightLegsOnHills : public testing::Test {
   [[nodiscard]] Drawing through(const std::vector<VertexId>& clicks, bool closed = false) const {
     return draw(surface(), clicks, {.closed = closed});
   }
-  /// How many legs are embedded to straighten this drawing.
+  /// The number of legs that are embedded to straighten a drawing.
   std::size_t straightened(const Drawing& drawing) {
     std::size_t embedded = 0;
     const Progress progress = [&](const char* stage, double /*fraction*/) {
@@ -56,7 +56,7 @@ TEST_F(StraightLegsOnHills, OnlyTheLegsBesideAMovedPointAreMadeAnew) {
   EXPECT_EQ(straightened(through(clicks, true)), 1U);
 }
 
-TEST_F(StraightLegsOnHills, WhatIsKeptIsWhatWouldBeMade) {
+TEST_F(StraightLegsOnHills, KeptLegsEqualNewlyMadeLegs) {
   std::vector<VertexId> clicks{at(5, 10), at(17, 30), at(30, 12), at(40, 33)};
   straightened(through(clicks));
   clicks.push_back(at(50, 50));
@@ -81,7 +81,8 @@ class StraightLegsOnAPlane : public testing::Test {
 };
 
 TEST_F(StraightLegsOnAPlane, LegsThatWouldCrossEachOtherAreStraightenedTogether) {
-  // The second leg goes around the beginning of the first, and straight it would cross it.
+  // The second leg goes around the beginning of the first leg; straight, it would cross the first
+  // leg.
   std::vector<VertexId> around;
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> way = {
       {10, 15}, {20, 15}, {20, 25}, {5, 25}, {5, 5}, {15, 5}, {15, 12}};
@@ -89,7 +90,8 @@ TEST_F(StraightLegsOnAPlane, LegsThatWouldCrossEachOtherAreStraightenedTogether)
   const SurfaceCurve drawn = test::vertex_curve(
       opened->surface(), draw_edge_path(opened->surface(), around, false), false);
   CurveSmoother smoother(opened);
-  // From (20, 25) to (15, 12) a straight line passes the first leg between (10, 15) and (20, 15).
+  // The straight line from (20, 25) to (15, 12) crosses the first leg between (10, 15) and (20,
+  // 15).
   smoother.set_curve(drawn,
                      {.way_points = {{at(10, 15)}, {at(20, 15)}, {at(20, 25)}, {at(15, 12)}}});
   for (const double tau : {0.0, 1.0}) {
@@ -100,7 +102,7 @@ TEST_F(StraightLegsOnAPlane, LegsThatWouldCrossEachOtherAreStraightenedTogether)
 }
 
 TEST_F(StraightLegsOnAPlane, LegsThatWouldMeetAtAPointAreStraightenedTogether) {
-  // Straight, the last leg would pass the vertex (15, 15), where the first two meet.
+  // Straight, the last leg would pass the vertex (15, 15), where the first two legs meet.
   std::vector<VertexId> around;
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> way = {
       {5, 10}, {15, 15}, {25, 10}, {25, 25}, {3, 25}, {3, 3}, {15, 3}, {15, 5}};

@@ -1,4 +1,4 @@
-// Edges that a straight way can touch, whatever the lift.
+// Edges that a straightened path can touch, for any lift.
 #include "talweg/core/lifting/touched_edges.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ using test::hills;
 
 using test::ids;
 
-// ---- what is known without a distance ----
+// ---- bounds that need no distance ----
 
 TEST(TouchedEdges, AreNoFartherThanWaysAlongThem) {
   const SurfaceMesh mesh = SurfaceMesh::open(hills(40));
@@ -37,7 +37,7 @@ TEST(TouchedEdges, AreNoFartherThanWaysAlongThem) {
   for (std::uint32_t y = 10; y < 30; ++y) {
     for (std::uint32_t x = 2; x < 39; ++x) touched.emplace_back(y * 41 + x);
   }
-  touched.emplace_back(surface.vertex_count() + 3);  // inserted
+  touched.emplace_back(surface.vertex_count() + 3);  // an inserted vertex
   const TouchedEdges edges = touched_edges(surface, touched, std::span(&drawn, 1));
   double farthest = 0, shortest = HUGE_VAL;
   for (std::size_t e = 0; e < surface.edge_count(); ++e) {
@@ -54,7 +54,7 @@ TEST(TouchedEdges, AreNoFartherThanWaysAlongThem) {
   EXPECT_LT(edges.farthest, 2 * farthest);
   EXPECT_LE(edges.shortest, shortest);
   EXPECT_GT(edges.shortest, shortest / 4);
-  // A vertex that the others do not lead to could be anywhere.
+  // For a vertex that no touched edges connect to the drawing, no bound is known.
   EXPECT_EQ(touched_edges(surface, ids({0}), std::span(&drawn, 1)).farthest, HUGE_VAL);
 }
 

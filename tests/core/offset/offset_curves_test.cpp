@@ -1,5 +1,5 @@
-// Offsets in the plane, on boxes and round surfaces, where they are known; and that their points
-// have the distance wherever they are.
+// Offsets with a known shape in the plane, on boxes and round surfaces; and their distances on
+// rough surfaces.
 #include "talweg/core/offset/offset_curves.hpp"
 
 #include <cmath>
@@ -39,8 +39,8 @@ OffsetResult offset(const SurfaceMesh& mesh, const SurfaceCurve& curve, double d
   return offset_curves(mesh, std::span(&curve, 1), options);
 }
 
-/// What every offset promises: its points have the distance, asked anew, it crosses nothing, and
-/// neighbours share a face.
+/// Expects the properties of every offset: its points have the distance, measured again; it crosses
+/// nothing; neighbouring points share a face.
 void expect_sound(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                   const OffsetResult& result, double tolerance) {
   PolylineDistance distance(mesh.surface());
@@ -70,7 +70,8 @@ TEST(OffsetCurves, GoRoundTheEndsOfALine) {
     ASSERT_EQ(result.curves.size(), 1U) << d;
     EXPECT_TRUE(result.curves[0].curve.closed);
     EXPECT_EQ(result.curves[0].side, CurveSide::kBoth);
-    // Chords of circles are shorter, by no more than their tolerance at each of 2 pi radians.
+    // The chords of the caps are shorter than arcs of radius d, but longer than arcs of radius d
+    // minus the tolerance.
     EXPECT_LE(result.curves[0].length, 2 * length + 2 * pi * d + 1e-9);
     EXPECT_GE(result.curves[0].length, 2 * length + 2 * pi * (d - 1e-3 * d));
     EXPECT_TRUE(result.warnings.empty());
@@ -103,7 +104,7 @@ TEST(OffsetCurves, AreCutOffAtTheEndsWithoutCaps) {
     const double y = k == 0 ? 12.8 : 7.8;
     EXPECT_EQ(made.side, k == 0 ? CurveSide::kLeft : CurveSide::kRight);
     EXPECT_FALSE(made.curve.closed);
-    // Ways are equally short up to 1e-13, so an arc differs from its tangent from 1e-6 on.
+    // Distances within 1e-13 count as equal, so an arc separates from its tangent only at 1e-6.
     EXPECT_NEAR(made.length, 9.5, 5e-6);
     EXPECT_NEAR((mesh.position(made.curve.points.front()) - Point(5.2, y, 0)).norm(), 0, 5e-6);
     EXPECT_NEAR((mesh.position(made.curve.points.back()) - Point(14.7, y, 0)).norm(), 0, 5e-6);
@@ -124,7 +125,7 @@ TEST(OffsetCurves, AreOnTheOtherSideOfTheReversedCurve) {
   ASSERT_EQ(left.curves.size(), 1U);
   ASSERT_EQ(right.curves.size(), 1U);
   EXPECT_NEAR(left.curves[0].length, right.curves[0].length, 1e-6);
-  // Outside of the bend: both legs, and an arc of the angle between them.
+  // Outside the bend: both legs, and an arc of the angle between them.
   const double angle = 2 * std::atan2(1.8, 4.75);
   EXPECT_GT(left.curves[0].length, 2 * std::hypot(4.75, 1.8) + 1.2 * angle);
   EXPECT_LT(offset(mesh, curve, 1.5, CurveSide::kRight).curves[0].length,
@@ -167,7 +168,7 @@ TEST(OffsetCurves, FindAPocketInsideOneFace) {
   MeshLists lists = test::grid(1, 1);
   for (Point& p : lists.points) p *= 100;
   const SurfaceMesh mesh = SurfaceMesh::open(lists);
-  // A square with the inner radius 5.
+  // A square with an inscribed circle of radius 5.
   const SurfaceCurve curve =
       line_on(mesh, {Point(60, 20, 0), Point(70, 20, 0), Point(70, 30, 0), Point(60, 30, 0)}, true);
   const OffsetResult result = offset(mesh, curve, 4.9, CurveSide::kLeft);
@@ -192,8 +193,8 @@ TEST(OffsetCurves, RunIntoTheBoundary) {
     EXPECT_NEAR(mesh.position(made.curve.points.front()).x(), 0, 1e-12);
     EXPECT_NEAR(mesh.position(made.curve.points.back()).x(), 20, 1e-12);
   }
-  // The curve meets the boundary at an angle: on the right of its beginning the nearest point is
-  // its end, on the left a point of the segment.
+  // The curve meets the boundary at an angle. On the right of its beginning the nearest point is
+  // the end of the curve, on the left a point of the segment.
   const double slant = std::hypot(20, 1.4) / 20;
   EXPECT_NEAR(mesh.position(result.curves[0].curve.points.front()).y(), 10.3 + 2.5 * slant, 1e-8);
   EXPECT_NEAR(mesh.position(result.curves[1].curve.points.front()).y(), 10.3 - 2.5, 1e-8);
@@ -203,7 +204,7 @@ TEST(OffsetCurves, RunIntoTheBoundary) {
 
 TEST(OffsetCurves, SplitInANeck) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(26, 12));
-  // Two squares of 8 and a neck of 2 between them, counterclockwise.
+  // Two squares of side 8 with a neck of width 2 between them, counterclockwise.
   std::vector<Point> corners = {Point(0, 0, 0),  Point(8, 0, 0),  Point(8, 3, 0),  Point(14, 3, 0),
                                 Point(14, 0, 0), Point(22, 0, 0), Point(22, 8, 0), Point(14, 8, 0),
                                 Point(14, 5, 0), Point(8, 5, 0),  Point(8, 8, 0),  Point(0, 8, 0)};
@@ -213,8 +214,8 @@ TEST(OffsetCurves, SplitInANeck) {
   EXPECT_EQ(wide.curves.size(), 1U);
   const OffsetResult split = offset(mesh, curve, 1.5, CurveSide::kLeft);
   ASSERT_EQ(split.curves.size(), 2U);
-  // Three sides of 5, two parts of the fourth, and two arcs around the corners of the neck that
-  // meet on its axis.
+  // Three sides of length 5, two parts of the fourth side, and two arcs around the corners of the
+  // neck that meet on its axis.
   const double length = 15 + 3 + 2 * 1.5 * std::asin(1 / 1.5);
   for (const OffsetCurve& made : split.curves) {
     EXPECT_TRUE(made.curve.closed);
@@ -254,8 +255,7 @@ TEST(OffsetCurves, AreCirclesOfLatitudeOnASphere) {
   const SurfaceCurve curve = line_on(mesh, equator, true);
   const OffsetResult result = offset(mesh, curve, 0.8);
   ASSERT_EQ(result.curves.size(), 2U);
-  // An edge is 0.05 long, so that the mesh is within 3e-4 of the sphere; ways are that much
-  // shorter.
+  // Edges are 0.05 long, so the mesh is within 3e-4 of the sphere, and distances differ by as much.
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_NEAR(result.curves[k].length, 2 * pi * std::cos(0.8), 0.01);
     for (const Point& p : positions_of(mesh, result.curves[k].curve)) {
@@ -278,7 +278,7 @@ TEST(OffsetCurves, LieOnBothSidesOfACurveThatDoesNotSeparate) {
   expect_sound(mesh, curve, result, 1.5e-3);
 }
 
-TEST(OffsetCurves, SayWhyThereAreNone) {
+TEST(OffsetCurves, GiveTheReasonIfThereAreNone) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(20, 20));
   const SurfaceCurve curve = line_on(mesh, {Point(0, 5, 0), Point(20, 5, 0)});
   const OffsetResult far = offset(mesh, curve, 30);
@@ -335,7 +335,7 @@ TEST(OffsetCurves, HaveTheDistanceOnRoughSurfaces) {
   }
 }
 
-/// Whatever crosses an edge is found: as many crossings as changes of sign along it.
+/// An offset has as many crossings with an edge as the distance has sign changes along the edge.
 TEST(OffsetCurves, CrossEveryEdgeWhereTheDistanceDoes) {
   const SurfaceMesh mesh = rough_mesh(9);
   const Surface& surface = mesh.surface();
@@ -379,7 +379,7 @@ TEST(OffsetCurves, ScaleWithTheMesh) {
   }
 }
 
-TEST(OffsetCurves, AreMadeAlikeTwice) {
+TEST(OffsetCurves, AreTheSameInASecondRun) {
   const SurfaceMesh mesh = rough_mesh(4);
   const SurfaceCurve curve = line_on(mesh, {mesh.point(VertexId{160}), mesh.point(VertexId{390})});
   const OffsetResult a = offset(mesh, curve, 1.7), b = offset(mesh, curve, 1.7);

@@ -30,7 +30,7 @@ class BoxTreeOf : public ::testing::TestWithParam<std::tuple<std::size_t, bool>>
   std::vector<SpaceBox> boxes_;
 };
 
-// What is found is what looking at all finds.
+// The tree finds the same boxes as a search of all boxes.
 TEST_P(BoxTreeOf, Pairs) {
   const BoxTree tree(boxes_.size(), box_of());
   std::set<std::pair<std::uint32_t, std::uint32_t>> expected, found;
@@ -38,7 +38,7 @@ TEST_P(BoxTreeOf, Pairs) {
     const auto add = [&](std::uint32_t k) {
       if (k > i) expected.emplace(i, k);
     };
-    if (boxes_.size() > 1000) {  // of so many: what each overlaps, which the next test checks
+    if (boxes_.size() > 1000) {  // too many for all pairs: visit() is checked by the next test
       tree.visit(boxes_[i], box_of(), add);
       continue;
     }
@@ -52,7 +52,7 @@ TEST_P(BoxTreeOf, Pairs) {
   EXPECT_EQ(found, expected);
 }
 
-TEST_P(BoxTreeOf, WhatAPlaceOverlaps) {
+TEST_P(BoxTreeOf, VisitFindsAllOverlaps) {
   const BoxTree tree(boxes_.size(), box_of());
   for (const SpaceBox& place : random_boxes(50, false, engine_)) {
     std::set<std::uint32_t> expected, found;
@@ -65,7 +65,7 @@ TEST_P(BoxTreeOf, WhatAPlaceOverlaps) {
   }
 }
 
-TEST_P(BoxTreeOf, TheNearestOfSmallestNumber) {
+TEST_P(BoxTreeOf, NearestPrefersTheSmallestIndex) {
   const BoxTree tree(boxes_.size(), box_of());
   for (const SpaceBox& place : random_boxes(200, false, engine_)) {
     const Point p = 2 * place.low - Point(0.5, 0.5, 0.5);

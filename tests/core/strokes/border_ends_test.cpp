@@ -1,4 +1,4 @@
-// Strokes that run over the border of an open sheet, or stop a little before it.
+// Strokes that cross the boundary of an open sheet, or stop a little before it.
 #include "talweg/core/strokes/border_ends.hpp"
 
 #include <cmath>
@@ -55,8 +55,8 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   const SnappedCurve stroke = snapped(line({-3, 10.3, 0}, {22, 10.3, 0}, 0.5));
   expect_at(stroke.points.front(), {0, 10.3, 0});
   expect_at(stroke.points.back(), {20, 10.3, 0});
-  EXPECT_EQ(stroke.beyond_border[0].points, 6U);  // -3 to -0.5
-  EXPECT_EQ(stroke.beyond_border[1].points, 4U);  // 20.5 to 22
+  EXPECT_EQ(stroke.beyond_border[0].points, 6U);  // x from -3 to -0.5
+  EXPECT_EQ(stroke.beyond_border[1].points, 4U);  // x from 20.5 to 22
   EXPECT_NEAR(stroke.beyond_border[0].farthest, 3, 1e-12);
   EXPECT_NEAR(stroke.beyond_border[1].farthest, 2, 1e-12);
   EXPECT_LT(stroke.largest_snap_distance, 1e-9);
@@ -73,8 +73,8 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
             "beyond it are left out, and it ends exactly there.");
 }
 
-TEST_F(BorderEnds, ItEndsWhereItLeavesAndNotBesideTheLastPoint) {
-  // Through (0, 8), at 27 degrees; the nearest point to its beginning is (0, 6).
+TEST_F(BorderEnds, AStrokeEndsWhereItLeavesTheMesh) {
+  // The stroke passes (0, 8) at 27 degrees; the boundary point nearest to its beginning is (0, 6).
   const SnappedCurve stroke = snapped(line({-4, 6, 0}, {16, 16, 0}, 0.7));
   expect_at(stroke.points.front(), {0, 8, 0});
   EXPECT_EQ(stroke.beyond_border[1].points, 0U);
@@ -97,7 +97,7 @@ TEST_F(BorderEnds, AStrokeBesideTheMeshStays) {
 }
 
 TEST_F(BorderEnds, ALineFarBeyondTheMeshIsCutOffUnlessMostOfItIs) {
-  // An eighth of the diagonal is 3.5, and ten edges are 11.4.
+  // An eighth of the diagonal is 3.5, ten edges are 11.4.
   expect_at(snapped(line({-14, 10, 0}, {20, 10, 0}, 1)).points.front(), {0, 10, 0});
   try {
     (void)snapped(line({-40, 10, 0}, {20, 10, 0}, 1));
@@ -109,7 +109,7 @@ TEST_F(BorderEnds, ALineFarBeyondTheMeshIsCutOffUnlessMostOfItIs) {
   }
 }
 
-TEST_F(BorderEnds, WrongPositionsHaveTheirOwnNumbers) {
+TEST_F(BorderEnds, ErrorsNumberPositionsAsGiven) {
   std::vector<Point> points = line({-3, 10, 0}, {20, 10, 0}, 1);
   points[12].y() = std::numeric_limits<double>::quiet_NaN();
   try {
@@ -128,7 +128,7 @@ TEST_F(BorderEnds, PaintedPointsKeepTheirPlaces) {
   input.painted.resize(26);
   std::iota(input.painted.begin(), input.painted.end(), 0U);
   const SnappedCurve stroke = snap(mesh, input);
-  EXPECT_EQ(stroke.points.size(), 21U);  // 0 to 20
+  EXPECT_EQ(stroke.points.size(), 21U);  // x from 0 to 20
   EXPECT_EQ(stroke.painted.size(), 21U);
   input.painted = {5, 26};
   EXPECT_THROW((void)snap(mesh, input), Error);
@@ -147,7 +147,7 @@ TEST_F(BorderEnds, ClicksBeyondTheBorderStay) {
   EXPECT_EQ(snap(mesh, input).beyond_border[0].points, 0U);
 }
 
-TEST_F(BorderEnds, EndsJustShortAreLedToTheBorderAndTold) {
+TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   const SnappedDrawing drawing = led(straight({1.5, 10.3, 0}, {18.2, 10.3, 0}));
   expect_at(drawing.curves[0].points.front(), {0, 10.3, 0});
   expect_at(drawing.curves[0].points.back(), {20, 10.3, 0});
@@ -160,8 +160,8 @@ TEST_F(BorderEnds, EndsJustShortAreLedToTheBorderAndTold) {
             "The end of curve 0 lies 1.8 mesh units before the border; it is led straight to it.");
 }
 
-TEST_F(BorderEnds, NearIsTwoEdges) {
-  // A third of the edges are diagonals: 1.138 is their mean.
+TEST_F(BorderEnds, EndsWithinTwoEdgesAreExtended) {
+  // A third of the edges are diagonals: the mean edge length is 1.138.
   expect_at(led(straight({2.2, 10, 0}, {12, 10, 0})).curves[0].points.front(), {0, 10, 0});
   const SurfaceCurve far = straight({2.4, 10, 0}, {12, 10, 0});
   const SnappedDrawing drawing = led(far);
@@ -170,11 +170,11 @@ TEST_F(BorderEnds, NearIsTwoEdges) {
 }
 
 TEST_F(BorderEnds, AShortCurveIsNotDoubled) {
-  const SurfaceCurve spur = straight({10, 0, 0}, {10, 2, 0});  // from the border inwards
+  const SurfaceCurve spur = straight({10, 0, 0}, {10, 2, 0});  // from the boundary inwards
   EXPECT_EQ(led(spur).curves[0].points, spur.points);
 }
 
-TEST_F(BorderEnds, ALoopStays) {
+TEST_F(BorderEnds, LoopsStayUnchanged) {
   SurfaceCurve loop = lines.join(snapped({{1, 1, 0}, {4, 1, 0}, {4, 4, 0}}).points, true);
   EXPECT_EQ(led(loop).curves[0].points, loop.points);
 }
@@ -188,7 +188,7 @@ TEST_F(BorderEnds, AnEndOnAnotherCurveStays) {
   EXPECT_EQ(after.curves[0].points.back(), drawing.curves[0].points.back());
 }
 
-TEST_F(BorderEnds, OnlyStrokesAreLedWhereOnlyTheyAreMeant) {
+TEST_F(BorderEnds, OtherCurvesStayIfOnlyStrokesAreExtended) {
   const SnappedCurve stroke = snapped(line({1.5, 10, 0}, {15, 10, 0}, 0.5));
   SnappedCurve given{false, snapped(line({1.5, 14, 0}, {15, 14, 0}, 0.5)).points};
   const SnappedDrawing drawing =
@@ -197,7 +197,7 @@ TEST_F(BorderEnds, OnlyStrokesAreLedWhereOnlyTheyAreMeant) {
   EXPECT_EQ(drawing.curves[1].points.front(), given.points.front());
 }
 
-TEST_F(BorderEnds, AHandThatIsFastLeavesLargerGaps) {
+TEST_F(BorderEnds, AFastHandAllowsLargerGaps) {
   const SurfaceMesh strip = SurfaceMesh::open(test::grid(80, 10));
   StraightLines own(strip.surface());
   const SnappedCurve stroke = snap(strip, {false, line({4, 5, 0}, {76, 5, 0}, 3), {}});
@@ -205,7 +205,7 @@ TEST_F(BorderEnds, AHandThatIsFastLeavesLargerGaps) {
   drawing.add(strip, std::span(&stroke, 1), own);
   const SurfaceCurve led = with_ends_at_border(strip, drawing, own).curves[0];
   EXPECT_NEAR(curve_length(strip.surface(), led), 80, 1e-9);
-  drawing.hand_steps.clear();  // a file's curve: four edges are too far
+  drawing.hand_steps.clear();  // a curve from a file: a gap of four edges is too large
   EXPECT_NEAR(curve_length(strip.surface(), with_ends_at_border(strip, drawing, own).curves[0]), 72,
               1e-9);
 }

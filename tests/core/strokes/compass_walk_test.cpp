@@ -20,7 +20,7 @@ std::vector<Point> line(double length, double step) {
 TEST(CompassWalk, GoesInEqualStepsHoweverALineIsSampled) {
   for (const double step : {0.013, 0.2, 1.0, 10.0}) {
     const auto places = compass_walk(line(10, step), false, 0.7);
-    ASSERT_EQ(places.size(), 15U) << step;  // 14 steps, and the end in place of the one before
+    ASSERT_EQ(places.size(), 15U) << step;  // 14 steps; the end replaces the last step
     for (std::size_t k = 0; k + 1 < places.size(); ++k) {
       EXPECT_NEAR(places[k].at.x(), 0.7 * static_cast<double>(k), 1e-9) << step;
     }
@@ -41,7 +41,7 @@ TEST(CompassWalk, AStepFarBelowTheSamplesIsNotWorthIt) {
   EXPECT_LE(compass_walk(far, false, walkable_step(far, false, 1e-300)).size(), 4U);
 }
 
-/// Segments of 1e-9 of the length, as of a hand that rests: the trembling is that small, too.
+/// Segments of 1e-9 of the length, like a resting hand: the trembling is as small.
 TEST(CompassWalk, AStrokeOfTinySegmentsHasASlackAtOnce) {
   const auto opened = OpenedMesh::open(test::grid(24, 24));
   std::vector<Point> points;

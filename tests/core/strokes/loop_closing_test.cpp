@@ -1,4 +1,4 @@
-// A hand that comes back to where it began has drawn a loop.
+// A stroke that ends near its beginning is a loop.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 class LoopClosing : public testing::Test {
  protected:
-  /// An arc about the middle of a plane; the radius grows by `grows` over all of it.
+  /// An arc around the middle of a plane; the radius grows by `grows` along the arc.
   [[nodiscard]] SurfaceCurve arc(double from, double to, double grows = 0) {
     std::vector<Point> points;
     for (double angle = from; angle <= to + 1e-9; angle += 5) {
@@ -55,14 +55,14 @@ TEST_F(LoopClosing, AnEndThatRunsOverTheBeginning) {
   }
 }
 
-TEST_F(LoopClosing, AHorseshoeIsNone) {
+TEST_F(LoopClosing, AHorseshoeStaysOpen) {
   EXPECT_FALSE(closed(arc(0, 300)));
-  const auto loop = closed(arc(0, 300), true);  // unless somebody says so
+  const auto loop = closed(arc(0, 300), true);  // unless the user asks for a loop
   ASSERT_TRUE(loop);
   EXPECT_TRUE(loop->curve.closed);
 }
 
-TEST_F(LoopClosing, ALargerGapStaysAndIsTold) {
+TEST_F(LoopClosing, ALargerGapStaysAndIsReported) {
   SnappedDrawing drawing;
   drawing.curves = {arc(0, 340)};
   drawing.may_be_loop = {true};
@@ -81,7 +81,7 @@ TEST_F(LoopClosing, ALargerGapStaysAndIsTold) {
   EXPECT_TRUE(told(CurveEnds::kAsDrawn).told.empty());
 }
 
-TEST_F(LoopClosing, AWayOutAndBackIsNone) {
+TEST_F(LoopClosing, AStrokeOutAndBackStaysOpen) {
   std::vector<Point> points;
   for (double x = 2; x <= 16; x += 0.5) points.emplace_back(x, 10, 0);
   for (double x = 16; x >= 2; x -= 0.5) points.emplace_back(x, 10.4, 0);
@@ -108,7 +108,7 @@ TEST_F(LoopClosing, NoClickIsCutOff) {
   }
 }
 
-TEST_F(LoopClosing, WhatIsCutOffOfAPaintedStrokeIsNoPartOfIt) {
+TEST_F(LoopClosing, PaintedPointsThatAreCutOffAreDropped) {
   const SurfaceCurve stroke = arc(0, 385);
   SnappedCurve painted{false, stroke.points};
   for (std::size_t k = 0; k < stroke.points.size(); ++k) painted.painted.push_back(k);

@@ -1,4 +1,4 @@
-// Strokes as hands and devices give them, on a plane where the way that was meant is known.
+// Strokes with the trembling of hands and devices, on a plane, around a known intended curve.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Waves of 2.5 to 5 across a way, of 0.6.
+/// Trembling: waves of length 2.5 to 5 and height 0.6 across the intended curve.
 double trembling(double along, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> wave(2.5, 5), phase(0, kTurn);
@@ -32,7 +32,7 @@ double trembling(double along, unsigned seed) {
 
 class StrokesOfHands : public testing::Test {
  protected:
-  /// Over the plane from left to right, in a slow bend.
+  /// A point of the trembling stroke, which runs from left to right in a slow bend.
   [[nodiscard]] static Point hand(double along) {
     return {5 + along, 20 + 4 * std::sin(along / 20) + trembling(along, 7), 0};
   }
@@ -88,8 +88,8 @@ TEST_F(StrokesOfHands, AreTheSameHoweverTheyAreSampled) {
   }
 }
 
-/// A hand that trembles little, and wanders more in longer waves.
-TEST_F(StrokesOfHands, AreNotTakenForTheJitterOfTheirDevice) {
+/// The hand trembles little and wanders in longer waves.
+TEST_F(StrokesOfHands, TremblingIsNotTakenForJitter) {
   const auto wandering = [](double step, double jitter, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> off(0, jitter);
@@ -111,7 +111,7 @@ TEST_F(StrokesOfHands, AreNotTakenForTheJitterOfTheirDevice) {
   }
 }
 
-TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
+TEST_F(StrokesOfHands, RestsAreLeftOut) {
   const SmoothingResult ten = smoothed(stroke(0.33));
   std::vector<Point> points;
   std::mt19937 random(5);
@@ -131,9 +131,9 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRest) {
   EXPECT_NE(result.report().warnings.front().find("where the hand rested"), std::string::npos);
 }
 
-/// A mouse gives a point every two edges, and a hundred where the hand waits; a tablet's pen
-/// wobbles where it waits by more than its samples are apart while it moves.
-TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
+/// A mouse gives a point every two edges, and a hundred points where the hand rests. A tablet's pen
+/// at rest wobbles by more than the spacing of its samples in motion.
+TEST_F(StrokesOfHands, RestsAreLeftOutForAnySampling) {
   std::mt19937 random(5);
   for (const double step : {2.0, 1.0, 0.3, 0.1}) {
     for (const double wobble : {0.003, 0.05, 0.15}) {
@@ -159,8 +159,8 @@ TEST_F(StrokesOfHands, SayNothingWhereTheyRestHoweverTheyAreSampled) {
   }
 }
 
-/// A slow hand moves on: careful parts keep each of their bends.
-TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
+/// A slow hand still moves: careful parts keep all their bends.
+TEST_F(StrokesOfHands, SlowPartsAreNoRests) {
   std::vector<Point> points;
   for (double x = 0; x < 30; x += 2) points.emplace_back(5 + x, 20 + 0.3 * trembling(x, 7), 0);
   for (double x = 0; x < 12; x += 0.05) {
@@ -171,10 +171,10 @@ TEST_F(StrokesOfHands, DoNotRestWhereTheyAreSlow) {
   EXPECT_TRUE(hand_rests(opened->mesh(), drawn).empty());
 }
 
-TEST_F(StrokesOfHands, DoNotRestWhereTheyWindAroundSomething) {
+TEST_F(StrokesOfHands, WindingsAreNoRests) {
   std::vector<Point> points;
   for (double x = 0; x < 40; x += 1) points.emplace_back(5 + x, 20, 0);
-  for (int k = 0; k < 60; ++k) {  // five turns, a little to the right each
+  for (int k = 0; k < 60; ++k) {  // five turns, each a little farther to the right
     const double angle = kTurn * (k / 12.0 - 0.25);
     points.emplace_back(45 + 0.02 * k + 2 * std::cos(angle), 22 + 2 * std::sin(angle), 0);
   }
@@ -213,13 +213,13 @@ TEST_F(StrokesOfHands, KeepAGivenSlack) {
   const SmoothingReport report = smoother.smooth(options).report();
   EXPECT_EQ(report.slack, 0.3);
   EXPECT_EQ(report.slack_from, SlackSource::kGiven);
-  // A field has a value for each point that was set, whatever was left out of them.
+  // A slack field has a value for each given point, also for points left out.
   options.slack.reset();
   options.slack_at = {std::vector<double>(drawn.points.size(), 0.3)};
   EXPECT_EQ(smoother.smooth(options).report().slack, 0.3);
 }
 
-TEST_F(StrokesOfHands, MayBePinnedWhereSomethingWasLeftOut) {
+TEST_F(StrokesOfHands, PinsMayLieOnPointsLeftOut) {
   smoothed(stroke(0.01));
   const SurfacePoint pin = drawn.points[drawn.points.size() / 3];
   ASSERT_TRUE(smoother.set_pins(std::span(&pin, 1)));
@@ -238,7 +238,7 @@ TEST_F(StrokesOfHands, AreTheSameFromTheirOtherEnd) {
   EXPECT_EQ(back.points, there.curve().points);
 }
 
-/// A drawn U, 20 wide and 250 long in units of a thirteenth, sampled every 13.
+/// A drawn U, 20 wide and 250 long, sampled every 13, all in units of 1/13.
 TEST_F(StrokesOfHands, KeepTheNarrowThatWasMeant) {
   const double width = 20.0 / 13, length = 250.0 / 13;
   std::vector<Point> points;
@@ -270,7 +270,7 @@ TEST_F(StrokesOfHands, KeepCornersAndWavesThatAreLargerThanTheirTrembling) {
   EXPECT_LT(smoothed(waves).report().deviation_from_drawn_max, 0.5);
 }
 
-TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
+TEST_F(StrokesOfHands, CarefulAndRoughPartsHaveDifferentSlacks) {
   std::vector<Point> points;
   const auto fine = [](double x) { return trembling(x * 1.2, 4) / 6; };
   for (double x = 0; x <= 45; x += 0.05) points.emplace_back(3 + x, 20 + fine(x), 0);
@@ -281,10 +281,10 @@ TEST_F(StrokesOfHands, HaveAnotherSlackWhereTheHandIsAnother) {
   for (const Point& p : positions_of(opened->mesh(), result.curve())) {
     if (p.x() > 5 && p.x() < 40) careful = std::max(careful, std::abs(p.y() - 20));
   }
-  EXPECT_LT(careful, 0.3);  // 0.8 with the slack of the other half
+  EXPECT_LT(careful, 0.3);  // would be 0.8 with the slack of the other half
 }
 
-TEST_F(StrokesOfHands, LoopsTrembleAsLinesDo) {
+TEST_F(StrokesOfHands, LoopsHaveTheSlackOfLines) {
   std::vector<std::vector<Point>> loops(2);
   for (std::size_t k = 0; k < 2; ++k) {
     const double step = k == 0 ? 0.1 : 0.02;

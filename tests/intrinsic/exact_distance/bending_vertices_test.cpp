@@ -1,4 +1,4 @@
-// Vertices around which ways bend, on grids and boxes of unit squares.
+// Vertices around which shortest paths bend, on grids and boxes of unit squares.
 #include "talweg/intrinsic/exact_distance/bending_vertices.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(BendingVertices, AreTheInnerCornersOfAHole) {
   BendingVertices bending(surface);
   for (std::size_t j = 0; j <= 3; ++j) {
     for (std::size_t i = 0; i <= 3; ++i) {
-      const bool at_hole = (i == 1 || i == 2) && (j == 1 || j == 2);  // 3/4 of a turn
+      const bool at_hole = (i == 1 || i == 2) && (j == 1 || j == 2);  // an angle of 3/4 of a turn
       for (int again = 0; again < 2; ++again) {
         EXPECT_EQ(bending.contain(VertexId{i + 4 * j}), at_hole) << i << " " << j;
       }
@@ -48,7 +48,7 @@ TEST(BendingVertices, AreTheEndsOfEdgesOfNoLength) {
   EXPECT_TRUE(bending.contain(VertexId{12}));
 }
 
-TEST(BendingVertices, AreNotWithoutFaces) {
+TEST(BendingVertices, DoNotIncludeIsolatedVertices) {
   test::TestMesh mesh = test::grid(1, 1);
   mesh.points.push_back({5, 5, 5});
   const Surface surface = test::surface_of(mesh);

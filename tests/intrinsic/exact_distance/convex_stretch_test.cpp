@@ -1,4 +1,4 @@
-// Where convex functions on a line are below a limit, against their closed forms.
+// The stretches of a line where a convex function is below a limit, compared with closed forms.
 #include "talweg/intrinsic/exact_distance/convex_stretch.hpp"
 
 #include <cmath>
@@ -39,12 +39,12 @@ TEST(ConvexStretch, IsFoundHoweverShort) {
   }
 }
 
-TEST(ConvexStretch, IsNoneForWhatIsNotReached) {
+TEST(ConvexStretch, IsEmptyAboveTheLimit) {
   const auto far = [](double) { return std::numeric_limits<double>::infinity(); };
   EXPECT_FALSE(stretch_below(far, 5, 2).has_value());
 }
 
-TEST(ConvexStretch, BeginsAndEndsWhereItMayNot) {
+TEST(ConvexStretch, IsCutOffAtTheEndsOfTheLine) {
   const auto rising = [](double x) { return 1 + x / 2; };
   const auto stretch = stretch_below(rising, 5, 2);
   ASSERT_TRUE(stretch.has_value());
@@ -54,7 +54,7 @@ TEST(ConvexStretch, BeginsAndEndsWhereItMayNot) {
   EXPECT_EQ(stretch_below(rising, 5, 9)->to, 5);
 }
 
-TEST(ConvexStretch, JoinsThoseThatMeet) {
+TEST(ConvexStretch, StretchesThatMeetAreJoined) {
   const auto joined = joined_stretches({{3, 4}, {0, 1}, {0.5, 2}, {2.001, 2.5}, {3.2, 3.5}}, 0.01);
   ASSERT_EQ(joined.size(), 2U);
   EXPECT_EQ(joined[0].from, 0);

@@ -8,7 +8,7 @@
 namespace talweg {
 namespace {
 
-TEST(CurveComponents, KeepTheFrontOutOfTheOthers) {
+TEST(CurveComponents, KeepTheFrontOutOfOtherComponents) {
   test::TestMesh mesh = test::grid(10, 10);
   const auto n = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t i = 0, faces = mesh.triangles.size(); i < faces; ++i) {
@@ -23,7 +23,7 @@ TEST(CurveComponents, KeepTheFrontOutOfTheOthers) {
 
   front.reset(0.25);
   front.start_at(VertexId{0}, {0, 0, 0});
-  EXPECT_FALSE(components.keep_out(front, there));  // too early to know
+  EXPECT_FALSE(components.keep_out(front, there));  // before the march
   while (!front.is_done() && !components.keep_out(front, there)) front.march();
   EXPECT_FALSE(front.is_done());
   EXPECT_FALSE(components.keep_out(front, here));

@@ -22,7 +22,7 @@ EdgeWindow random_window(std::mt19937_64& random, double length) {
   return window;
 }
 
-/// The shortest of the windows' ways to a place, which may lead on along the edge.
+/// The shortest distance to a place by any of the windows. A way may continue along the edge.
 double shortest(const std::vector<EdgeWindow>& windows, double x) {
   double least = std::numeric_limits<double>::infinity();
   for (const EdgeWindow& w : windows) {
@@ -32,7 +32,7 @@ double shortest(const std::vector<EdgeWindow>& windows, double x) {
   return least;
 }
 
-TEST(EdgeBounds, RuleOutOnlyWhereAKnownWayIsShorter) {
+TEST(EdgeBounds, RuleOutOnlyPlacesWithAShorterKnownWay) {
   std::mt19937_64 random(7);
   double whole = 0, left = 0;
   for (int run = 0; run < 200; ++run) {
@@ -57,10 +57,10 @@ TEST(EdgeBounds, RuleOutOnlyWhereAKnownWayIsShorter) {
       bounds.add(window);
     }
   }
-  EXPECT_LT(left, 0.6 * whole);  // and there is something that they rule out
+  EXPECT_LT(left, 0.6 * whole);  // the bounds rule out a good part
 }
 
-TEST(EdgeBounds, KnowNothingAtFirst) {
+TEST(EdgeBounds, KeepTheWholeWindowAtFirst) {
   const EdgeBounds bounds(2, 8);
   EdgeWindow window;
   window.begin = 0.3;

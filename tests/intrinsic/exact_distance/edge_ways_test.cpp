@@ -1,4 +1,4 @@
-// Ways along the edges of grids, to vertices whose distances are given by hand.
+// Paths along the edges of grids to vertices with given distances.
 #include "talweg/intrinsic/exact_distance/edge_ways.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-TEST(EdgeWays, LeadToTheBestOfTheVerticesNearEnough) {
+TEST(EdgeWays, LeadToTheBestVertexWithinTheLimit) {
   const Surface surface = test::surface_of(test::grid(3, 3));
   const auto id = [](std::size_t i, std::size_t j) { return VertexId{i + 4 * j}; };
   VertexDistances known(surface.vertex_count());
@@ -19,13 +19,13 @@ TEST(EdgeWays, LeadToTheBestOfTheVerticesNearEnough) {
   known.lower(id(3, 2), {1.5, 6, 3});
   EdgeWays ways(surface);
   WorkTally work;
-  // Three diagonals to the first, three sides to the second.
+  // The first known vertex is three diagonals away, the second three sides.
   const NearestOnCurve near = ways.shortest(id(3, 3), 1, known, work);
   EXPECT_DOUBLE_EQ(near.distance, 3.5);
   EXPECT_EQ(near.curve, 5U);
   EXPECT_EQ(near.arc_length, 2);
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 0.25, known, work).distance, 3 * std::sqrt(2.0));
-  // With the third it is one side.
+  // A limit of 2 admits the third known vertex, one side away.
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 2, known, work).distance, 2.5);
 }
 
@@ -36,21 +36,21 @@ TEST(EdgeWays, LeadAcrossManyVertices) {
   known.lower(VertexId{0}, {0, 0, 0});
   EdgeWays ways(surface);
   WorkTally work;
-  // Along the grid's diagonals as far as possible.
+  // Shortest edge paths use the diagonals of the grid as far as possible.
   for (const auto& [i, j] : {std::array<std::size_t, 2>{n, n}, {n, 10}, {0, n}, {30, 35}}) {
     const double least = static_cast<double>(std::min(i, j));
     const double most = static_cast<double>(std::max(i, j));
     EXPECT_NEAR(ways.shortest(VertexId{i + (n + 1) * j}, 0, known, work).distance,
                 least * std::sqrt(2.0) + most - least, 1e-12);
   }
-  // Other distances, of which it must be told.
+  // Changed distances require clear().
   known.clear();
   known.lower(VertexId{n}, {0, 0, 0});
   ways.clear();
   EXPECT_NEAR(ways.shortest(VertexId{(n + 1) * n + n}, 0, known, work).distance, n, 1e-12);
 }
 
-TEST(EdgeWays, AreInfiniteWhereNothingIsKnown) {
+TEST(EdgeWays, AreInfiniteWithoutKnownVertices) {
   test::TestMesh mesh = test::grid(3, 3);
   mesh.points.push_back({9, 9, 9});
   const Surface surface = test::surface_of(mesh);
@@ -61,7 +61,7 @@ TEST(EdgeWays, AreInfiniteWhereNothingIsKnown) {
   EXPECT_TRUE(std::isinf(ways.shortest(VertexId{16}, 1, known, work).distance));
 }
 
-TEST(EdgeWays, TellTheirWorkAndContinue) {
+TEST(EdgeWays, CountTheirWorkAndContinue) {
   constexpr std::size_t n = 60;
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());

@@ -1,4 +1,4 @@
-// Windows across one face: half of the unit square, with the corners (0, 0), (1, 0) and (1, 1).
+// Windows across one face, half of the unit square, with the corners (0, 0), (1, 0) and (1, 1).
 #include "talweg/intrinsic/exact_distance/face_beyond.hpp"
 
 #include <cmath>
@@ -32,7 +32,7 @@ TEST_F(BeyondTheBase, TheApexIsLaidOutAbove) {
   EXPECT_EQ(surface_.tail(face_.left), VertexId{3});
 }
 
-// From (0.5, -0.5) through 0.5 straight up to (0.5, 0.5), and through 0.75 to (1, 0.5).
+// A window from (0.5, -0.5): straight up through 0.5 to (0.5, 0.5), and through 0.75 to (1, 0.5).
 TEST_F(BeyondTheBase, AWindowBelowTheApexReachesBothSides) {
   const auto reached = face_.reached_through(window_from(0.5, -0.5, 0.5, 0.75));
   ASSERT_TRUE(reached.right && reached.left);
@@ -48,7 +48,7 @@ TEST_F(BeyondTheBase, AWindowBesideTheApexReachesOneSide) {
   ASSERT_TRUE(left.left);
   EXPECT_NEAR((*left.left)[0], diagonal_ / 4, 1e-15);
   EXPECT_NEAR((*left.left)[1], diagonal_ / 2, 1e-15);
-  // From (-4, -1) through 0.5 to (1, 1/9), and through 1.
+  // A window from (-4, -1): through 0.5 to (1, 1/9), and through 1.
   const auto right = face_.reached_through(window_from(-4, -1, 0.5, 1));
   EXPECT_FALSE(right.left);
   ASSERT_TRUE(right.right);

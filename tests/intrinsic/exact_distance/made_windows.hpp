@@ -1,12 +1,12 @@
-// Windows for the tests of what handles them.
+// Windows made by hand, for tests.
 #pragma once
 
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
 
 namespace talweg::test {
 
-/// A window of the stretch [begin, end] whose ways come straight from (px, py), where the distance
-/// is `offset`.
+/// A window on the stretch [begin, end] of an edge. Its ways come straight from (px, py), where the
+/// distance is `offset`.
 inline EdgeWindow window_from(double px, double py, double begin, double end, double offset = 0) {
   EdgeWindow w;
   w.begin = begin;
@@ -18,7 +18,7 @@ inline EdgeWindow window_from(double px, double py, double begin, double end, do
   return w;
 }
 
-/// A window of parallel ways straight up, at right angles to its edge.
+/// A window of parallel ways straight up, perpendicular to its edge.
 inline EdgeWindow window_upwards(double begin, double end, double offset) {
   EdgeWindow w = window_from(0, 1, begin, end, offset);
   w.sense = 1;

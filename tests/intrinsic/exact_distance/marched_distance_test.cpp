@@ -1,4 +1,5 @@
-// The distance that is carried on is that of the plane, within what its definition allows.
+// The marched distance in the plane, against the exact distance, within the error of its
+// definition.
 #include "talweg/intrinsic/exact_distance/marched_distance.hpp"
 
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-/// n x n vertices of a plane with edges of 1; vertex n * y + x.
+/// A plane of n x n vertices with edges of length 1; vertex n * y + x.
 Surface plane(std::size_t n) { return test::surface_of(test::grid(n - 1, n - 1)); }
 
 std::vector<double> marched(const Surface& surface, std::vector<double> distance) {
@@ -24,7 +25,7 @@ std::vector<double> marched(const Surface& surface, std::vector<double> distance
   return distance;
 }
 
-TEST(MarchDistance, IsThatOfThePlaneAroundAPoint) {
+TEST(MarchDistance, IsAccurateAroundAPoint) {
   constexpr std::size_t kSide = 41, kMiddle = 20;
   std::vector<double> start(kSide * kSide, kFar);
   const auto exact = [](std::size_t v) {
@@ -38,13 +39,14 @@ TEST(MarchDistance, IsThatOfThePlaneAroundAPoint) {
   for (std::size_t v = 0; v < distance.size(); ++v) EXPECT_NEAR(distance[v], exact(v), 1e-9) << v;
 }
 
-TEST(MarchDistance, IsNearlyThatOfALine) {
+TEST(MarchDistance, IsAccurateAroundALine) {
   constexpr std::size_t kSide = 31;
   std::vector<double> start(kSide * kSide, kFar);
   for (std::size_t v = 0; v < 2 * kSide; ++v) start[v] = static_cast<double>(v / kSide);
   const std::vector<double> distance = marched(plane(kSide), start);
   for (std::size_t v = 0; v < distance.size(); ++v) {
-    // A circle of radius r through two corners an edge apart bulges by 1 / (8 r), in each row.
+    // A circle of radius r through two corners at distance 1 bulges by 1 / (8 r); the bulges of the
+    // rows add up.
     double bulge = 0;
     for (std::size_t row = 1; row < v / kSide; ++row)
       bulge += 1.0 / (8.0 * static_cast<double>(row));
@@ -52,11 +54,11 @@ TEST(MarchDistance, IsNearlyThatOfALine) {
   }
 }
 
-TEST(MarchDistance, KeepsWhatIsKnownAndLeavesWhatCannotBeReached) {
+TEST(MarchDistance, KeepsKnownDistancesAndLeavesUnreachableVertices) {
   std::vector<double> start(9, kFar);
   EXPECT_EQ(marched(plane(3), start), start);
   start[0] = 5;
-  start[1] = 100;  // known, though 6 would be nearer
+  start[1] = 100;  // a given distance stays, although a way of length 6 exists
   const std::vector<double> distance = marched(plane(3), start);
   EXPECT_EQ(distance[0], 5);
   EXPECT_EQ(distance[1], 100);

@@ -42,7 +42,7 @@ SurfacePoint random_point(Random& random, const Surface& surface) {
   }
 }
 
-/// Wanders from face to face: inside a face, on an edge, or along an edge to a vertex.
+/// A random curve from face to face: inside a face, on an edge, or along an edge to a vertex.
 SurfaceCurve random_walk(Random& random, const Surface& surface, std::size_t points) {
   SurfaceCurve curve;
   curve.points.push_back(random_point(random, surface));
@@ -121,7 +121,8 @@ Point at_arc(const std::vector<Point>& line, double arc) {
   return line.back();
 }
 
-/// Windows are kept to 1e-10 of an edge at each edge they cross; n edges give at most n times that.
+/// A window has an error of 1e-10 of an edge at each edge that it crosses, n edges add up to at
+/// most n times this error.
 constexpr double kExact = 1e-8;
 
 void expect_plane_distances(const TestMesh& mesh, const Surface& surface, const SurfaceCurve& curve,
@@ -134,7 +135,7 @@ void expect_plane_distances(const TestMesh& mesh, const Surface& surface, const 
     const Point x = position_on(mesh, surface, p);
     const auto nearest = distance.at(p);
     ASSERT_NEAR(nearest.distance, to_polyline(x, line), tolerance) << i;
-    // The nearest point is on the curve at its arc length.
+    // The point of the curve at the reported arc length is at the reported distance.
     ASSERT_NEAR(test::distance(x, at_arc(line, nearest.arc_length)), nearest.distance,
                 10 * tolerance);
   }
@@ -172,8 +173,8 @@ TEST(PolylineDistance, KnowsACurveOfOnePointInItsOwnFace) {
   }
 }
 
-/// Stretches of edges that are within a limit are those that the distance tells.
-TEST(PolylineDistance, TellsWhereEdgesAreWithinALimit) {
+/// within() must agree with distances at points along the edges.
+TEST(PolylineDistance, FindsStretchesOfEdgesWithinALimit) {
   Random random(3);
   const TestMesh mesh = test::grid(9, 9, 0.24, 3);
   const Surface surface = test::surface_of(mesh);
@@ -220,8 +221,8 @@ TestMesh plane_with_bad_triangles(Random& random, bool caps, Small small) {
   return mesh;
 }
 
-// A length that is rounded by 1 ulp (1e-16) moves the apex of a cap by up to sqrt(1e-16) = 1e-8 and
-// turns a side of a needle of width w by 1e-16 / w.
+// A length rounded by 1 ulp (1e-16) moves the apex of a cap by up to sqrt(1e-16) = 1e-8, and
+// rotates a side of a needle of width w by 1e-16 / w.
 TEST(PolylineDistance, IsEuclideanOnPlanesOfCaps) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
@@ -286,7 +287,7 @@ SurfaceCurve straight_line(const TestMesh& mesh, const Surface& surface, Point t
   return line;
 }
 
-/// Turns a plane mesh about the origin, so that its lengths are rounded.
+/// Rotates a plane mesh about the origin, so that its edge lengths are rounded.
 TestMesh turned(TestMesh mesh, double angle) {
   for (Point& p : mesh.points) {
     p = {std::cos(angle) * p[0] - std::sin(angle) * p[1],
@@ -295,8 +296,8 @@ TestMesh turned(TestMesh mesh, double angle) {
   return mesh;
 }
 
-// Such lines cross the grid's upright edges at right angles but for rounding. What one of their
-// segments sends to an upright edge then comes from next to nothing, or from far outside the face.
+// The lines cross the upright edges of the grid almost at right angles. The window of a segment on
+// an upright edge is then almost empty, or its source is far outside the face.
 TEST(PolylineDistance, IsEuclideanNextToLinesThatAreAlmostPerpendicularToEdges) {
   const TestMesh flat = test::grid(30, 20);
   const double angles[] = {0, 1e-17, 1e-16, 1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6};
@@ -345,7 +346,7 @@ TEST(PolylineDistance, UnfoldsOverABoxEdge) {
     }
     return std::size_t{0};
   };
-  // On the top, a segment-wise straight curve at x = 4 from y = 2 to y = 4.
+  // On the top, a curve at x = 4 from y = 2 to y = 4.
   const SurfaceCurve curve =
       through_vertices(surface, {vertex(4, 2, 6), vertex(4, 3, 6), vertex(4, 4, 6)});
   PolylineDistance distance(surface);
@@ -353,7 +354,7 @@ TEST(PolylineDistance, UnfoldsOverABoxEdge) {
   for (const double y : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
     for (const double down : {1.0, 2.0, 3.0}) {
       const double across = std::max({2 - y, 0.0, y - 4});
-      // Over the corner of the cube a shorter way may lead over the side y = 0 or y = 6.
+      // Near the corner of the box the way over the side y = 0 or y = 6 may be shorter.
       const double expected = std::hypot(2 + down, across);
       const double got = distance.at_vertex(VertexId{vertex(6, y, 6 - down)}).distance;
       if (y >= 1 && y <= 5) {
@@ -364,8 +365,8 @@ TEST(PolylineDistance, UnfoldsOverABoxEdge) {
   }
 }
 
-// On a cone the way between two points of the unrolled sector is straight while the sector's
-// angle between them is less than pi.
+// On a cone the shortest path between two points is straight in the unrolled sector if the angle
+// between the points is less than pi.
 TEST(PolylineDistance, UnrollsACone) {
   const std::size_t n = 40, m = 10;
   const TestMesh mesh = test::cone(n, m, 1, 1.5);
@@ -381,7 +382,8 @@ TEST(PolylineDistance, UnrollsACone) {
     for (std::size_t k = 0; k <= n / 2; ++k) {
       const double angle = step * static_cast<double>(k);
       ASSERT_LT(angle, test::kPi);
-      // Ways that touch the mesh's outer rim would leave it: keep to chords of the polygon.
+      // Paths that touch the outer rim of the mesh would leave it, so only chords of the polygon
+      // are compared.
       const double chord = std::sqrt(r * r + r0 * r0 - 2 * r * r0 * std::cos(angle));
       EXPECT_NEAR(distance.at_vertex(VertexId{ring * n + k}).distance, chord, kExact);
     }
@@ -397,16 +399,16 @@ TEST(PolylineDistance, BendsAroundTheCornersOfAHole) {
   const SurfaceCurve curve = through_vertices(surface, {id(1, 5), id(1, 4), id(1, 3)});
   PolylineDistance distance(surface);
   distance.set({&curve, 1});
-  // Behind the hole: from (1, 3) past the corners (3, 3) and (7, 3).
+  // Behind the hole: paths from (1, 3) past the corners (3, 3) and (7, 3).
   EXPECT_NEAR(distance.at_vertex(VertexId{id(9, 4)}).distance, 6 + std::sqrt(5.0), kExact);
   EXPECT_NEAR(distance.at_vertex(VertexId{id(7, 4)}).distance, 7, kExact);
-  // Past (3, 7), from (1, 5).
+  // A path from (1, 5) past (3, 7).
   EXPECT_NEAR(distance.at_vertex(VertexId{id(4, 7)}).distance, 1 + std::hypot(2, 2), kExact);
   EXPECT_NEAR(distance.at_vertex(VertexId{id(3, 5)}).distance, 2, kExact);
 }
 
 TEST(PolylineDistance, BendsAtSaddles) {
-  // Two boxes in an L: the vertices of the inner edge's ends are saddles of 5/4 turns.
+  // Two boxes in an L: the ends of the inner edge are saddles of 5/4 turns.
   const TestMesh mesh = test::voxels(4, 4, 4, [](int i, int, int k) { return i < 2 || k < 2; });
   const Surface surface = test::surface_of(mesh);
   // Subdivision changes nothing, and the distance grows by no more than the way.
@@ -421,7 +423,8 @@ TEST(PolylineDistance, BendsAtSaddles) {
   }
 }
 
-/// Each triangle in four, new vertices in the middles of edges; curves get the middles too.
+/// A mesh with each triangle split in four at the midpoints of its edges. Curves get the midpoints,
+/// too.
 struct Refined {
   TestMesh mesh;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle;
@@ -509,7 +512,7 @@ TEST(PolylineDistance, FaceValuesCarryTheirSlopes) {
     const auto nearest = distance.at(SurfacePoint::in_face(surface, face, here));
     EXPECT_EQ(at.value, nearest.distance);
     EXPECT_EQ(at.arc_length, nearest.arc_length);
-    // Where the nearest feature changes in between, the slopes jump.
+    // The slopes jump where the nearest part of the curve changes.
     if (std::abs(high.slope - low.slope) > 100 * step) continue;
     if (std::abs(high.arc_slope - low.arc_slope) > 1e-6) continue;
     ++smooth;
@@ -553,7 +556,7 @@ TEST(PolylineDistance, AnswersDoNotDependOnTheOrderOfQuestions) {
   second.set(curves);
   std::vector<PolylineDistance::Nearest> answers;
   for (const SurfacePoint& p : points) answers.push_back(first.at(p));
-  // Nearest first, so that every answer is given as early as it can be.
+  // Points in order of their distance: each query marches as little as possible.
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -582,7 +585,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
     const VertexId v{i};
     const double distance = exact.at_vertex(v).distance;
     const auto about = rough.at_vertex_roughly(v, kNear);
-    const auto again = late.at_vertex_roughly(v, kNear);  // whatever is known already
+    const auto again = late.at_vertex_roughly(v, kNear);  // after a longer march
     EXPECT_EQ(about.distance, again.distance);
     EXPECT_EQ(about.arc_length, again.arc_length);
     EXPECT_EQ(about.distance, rough.at_vertex_roughly(v, kNear).distance);
@@ -591,7 +594,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
       continue;
     }
     EXPECT_GE(about.distance, distance);
-    // No more than by way of any neighbour along the edge.
+    // At most the distance of any neighbour plus the edge to it.
     const HalfedgeId first = surface.halfedge(v);
     HalfedgeId h = first;
     do {
@@ -606,7 +609,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
   EXPECT_GT(beyond, 100U);
 }
 
-/// By hand, relaxed until nothing changes.
+/// Distances along edges, by relaxation until nothing changes. Distances up to `exact` are given.
 std::vector<double> along_edges(const Surface& surface, std::vector<double> known, double exact) {
   for (double& d : known) d = d <= exact ? d : std::numeric_limits<double>::infinity();
   for (bool again = true; again;) {
@@ -623,8 +626,8 @@ std::vector<double> along_edges(const Surface& surface, std::vector<double> know
   return known;
 }
 
-/// Exact distances cost minutes where thousands of needles lie between (a model of buildings: one
-/// flip took 19 of them).
+/// Exact distances cost minutes if thousands of needles lie in between (in a model of buildings one
+/// flip took 19 minutes).
 TEST(PolylineDistance, RoughlyIsAWayAlongEdgesHoweverFar) {
   const Surface surface = test::surface_of(test::torus(60, 28, 3, 1));
   Random random(14);
@@ -639,7 +642,7 @@ TEST(PolylineDistance, RoughlyIsAWayAlongEdgesHoweverFar) {
     rough.set({&curve, 1});
     const std::vector<double> expected = along_edges(surface, distances, near);
     for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
-      const VertexId v{(i * 997) % surface.vertex_count()};  // far and near by turns
+      const VertexId v{(i * 997) % surface.vertex_count()};  // far and near vertices alternate
       EXPECT_NEAR(rough.at_vertex_roughly(v, near).distance, expected[v.index()], 1e-9);
     }
     EXPECT_LT(4 * rough.window_count(), exact.window_count());
@@ -702,7 +705,7 @@ TEST(PolylineDistance, IsInfiniteWhereThereIsNoCurve) {
   EXPECT_EQ(distance.at_vertex(VertexId{0}).distance, kInfinity);
 }
 
-TEST(PolylineDistance, BelowDoesNotLookForWhatHasNoCurve) {
+TEST(PolylineDistance, BelowDoesNotSearchComponentsWithoutACurve) {
   TestMesh mesh = test::grid(40, 40);
   const auto n = static_cast<std::uint32_t>(mesh.points.size());
   for (std::size_t v = 0; v < n; ++v) mesh.points.push_back(mesh.points[v]);
@@ -763,7 +766,7 @@ TEST(PolylineDistance, KnowsTheArcLengthOfItsPoints) {
   }
 }
 
-TEST(PolylineDistance, CostsWhatItTouches) {
+TEST(PolylineDistance, CostDependsOnTheTouchedPart) {
   const Surface surface = test::surface_of(test::grid(200, 200, 0.2));
   const SurfaceCurve curve = through_vertices(surface, {100 + 201 * 100, 101 + 201 * 100});
   PolylineDistance distance(surface);
@@ -773,7 +776,7 @@ TEST(PolylineDistance, CostsWhatItTouches) {
   EXPECT_LT(distance.window_count(), 1000U);
 }
 
-TEST(PolylineDistance, RejectsWhatIsNoCurve) {
+TEST(PolylineDistance, RejectsInvalidCurves) {
   const Surface surface = test::surface_of(test::grid(3, 3));
   PolylineDistance distance(surface);
   SurfaceCurve curve = through_vertices(surface, {0, 1, 2});
@@ -782,7 +785,7 @@ TEST(PolylineDistance, RejectsWhatIsNoCurve) {
   EXPECT_THROW(distance.set({&empty, 1}), Error);
   const SurfaceCurve apart = through_vertices(surface, {0, 2});
   EXPECT_THROW(distance.set({&apart, 1}), Error);
-  // A refused curve changes nothing.
+  // A curve that is refused leaves the distance unchanged.
   EXPECT_DOUBLE_EQ(distance.at_vertex(VertexId{3}).distance, 1);
 }
 

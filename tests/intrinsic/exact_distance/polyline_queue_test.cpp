@@ -23,19 +23,19 @@ TEST(StepQueue, OrdersBySteps) {
   StepQueue queue;
   queue.reset(0.5);
   EXPECT_TRUE(std::isinf(queue.front()));
-  // Steps 2, 0, 0, and far ahead.
+  // Keys in steps 2, 0, 0, and beyond the last step.
   const double keys[] = {1.2, 0.4, 0.1, 1000, 500};
   for (std::uint32_t id = 0; id < 5; ++id) queue.push({keys[id], id, 0});
   EXPECT_EQ(queue.front(), 0);
   EXPECT_EQ(ids_in_order(queue), (std::vector<std::uint32_t>{1, 2, 0, 4, 3}));
 }
 
-TEST(StepQueue, TakesWhatComesTooLateAtOnce) {
+TEST(StepQueue, LateItemsJoinTheCurrentStep) {
   StepQueue queue;
   queue.reset(0.5);
   queue.push({0.9, 1, 0});
   StepQueue::Item item{};
-  EXPECT_FALSE(queue.pop(item));  // nothing in the first step
+  EXPECT_FALSE(queue.pop(item));  // the first step is empty
   EXPECT_EQ(queue.front(), 0.5);
   EXPECT_FALSE(queue.is_later(0.9));
   EXPECT_TRUE(queue.is_later(1.1));
@@ -46,7 +46,7 @@ TEST(StepQueue, TakesWhatComesTooLateAtOnce) {
   EXPECT_EQ(ids_in_order(queue), (std::vector<std::uint32_t>{1, 2}));
 }
 
-// 2048 steps of 0.5 reach to 1024, as many of 1 to 3072, and so on.
+// 2048 steps of width 0.5 reach to 1024, the next 2048 steps of width 1 to 3072, and so on.
 TEST(StepQueue, StepsBecomeWiderFarAway) {
   StepQueue queue;
   StepQueue::Item item{};
@@ -64,7 +64,7 @@ TEST(StepQueue, StepsBecomeWiderFarAway) {
   EXPECT_EQ(front_at(3071.9), 3071);
   EXPECT_EQ(front_at(3075.9), 3074);
   double key = 1e-3;
-  for (int k = 0; k < 2000; ++k, key *= 1.02) {  // to 1.6e14
+  for (int k = 0; k < 2000; ++k, key *= 1.02) {  // up to 1.6e14
     const double front = front_at(key);
     ASSERT_LE(front, key);
     ASSERT_GE(front, key - std::max(0.5, key / 1024));

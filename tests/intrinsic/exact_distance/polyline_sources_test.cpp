@@ -1,5 +1,5 @@
-// What curves send to the sides of a face: half of the unit square, with the corners (0, 0), (1, 0)
-// and (1, 1).
+// The windows that curves send to the sides of a face: half of the unit square, with the corners
+// (0, 0), (1, 0) and (1, 1).
 #include "talweg/intrinsic/exact_distance/polyline_sources.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 class SourcesInAFace : public testing::Test {
  protected:
-  /// In the order of the corners.
+  /// Barycentric coordinates in the order of the corners.
   static std::array<double, 3> barycentric(double x, double y) { return {1 - x, x - y, y}; }
   PolylinePiece piece(double px, double py, double qx, double qy) const {
     PolylinePiece piece{face_, 3, barycentric(px, py), barycentric(qx, qy)};
@@ -42,8 +42,8 @@ TEST_F(SourcesInAFace, APointSeesTheWholeOfEverySide) {
   }
 }
 
-// Horizontal, from (0.5, 0.25) to (0.75, 0.25).
-TEST_F(SourcesInAFace, ASegmentReachesWhatLiesStraightAcross) {
+// A horizontal segment from (0.5, 0.25) to (0.75, 0.25).
+TEST_F(SourcesInAFace, ASegmentReachesPlacesStraightAcross) {
   const PolylinePiece segment = piece(0.5, 0.25, 0.75, 0.25);
   const auto below = window_of_segment(segment, frames_[0], 0);
   ASSERT_TRUE(below);
@@ -65,7 +65,8 @@ TEST_F(SourcesInAFace, ASegmentReachesWhatLiesStraightAcross) {
 }
 
 TEST_F(SourcesInAFace, ASegmentSendsNothingPastASide) {
-  // Its normals at (0.9, 0.8) and (0.95, 0.9) meet the line of the base to the right of the face.
+  // The normals of the segment at (0.9, 0.8) and (0.95, 0.9) meet the line of the base to the right
+  // of the face.
   const PolylinePiece segment = piece(0.9, 0.8, 0.95, 0.9);
   const auto base = window_of_segment(segment, frames_[0], 0);
   EXPECT_FALSE(base);

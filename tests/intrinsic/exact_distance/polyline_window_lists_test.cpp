@@ -1,4 +1,4 @@
-// The windows of edges, against a plain list.
+// The window lists of edges against a plain list.
 #include "talweg/intrinsic/exact_distance/polyline_window_lists.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ EdgeWindow window(double begin, double end) {
   return w;
 }
 
-/// Adds a window after it has cut or emptied those that it meets, as a march does.
+/// Adds a window after it has cut or emptied the windows that it meets, like a march.
 class Against {
  public:
   explicit Against(unsigned seed) : random_(seed) {}
@@ -48,7 +48,7 @@ class Against {
     ASSERT_EQ(lists_[id].offset, fresh.offset);
   }
 
-  /// What is asked for may become less on the way.
+  /// The callback may shrink the range of the query.
   void meet_fewer(EdgeId edge) {
     std::size_t met = 0;
     lists_.each_meeting({0, 1}, edge, [&](const EdgeWindow&) {
@@ -84,7 +84,7 @@ class Against {
   int count_ = 0;
 };
 
-TEST(WindowLists, AreAsPlainListsHoweverMany) {
+TEST(WindowLists, AgreeWithPlainListsOfAnySize) {
   const EdgeId edge{1};
   Against both(1);
   for (int round = 0; round < 2; ++round) {

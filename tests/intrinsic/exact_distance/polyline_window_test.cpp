@@ -1,4 +1,4 @@
-// One window, by hand: its values on the edge and beyond, turns, cuts and comparisons.
+// One window made by hand: its values on the edge and beyond, turns, cuts and comparisons.
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
 
 #include <cmath>
@@ -65,11 +65,11 @@ TEST(EdgeWindow, IsCutAtItsEndsAndNotInside) {
   EXPECT_EQ(cut(5, 7).end, 5.25);
   EXPECT_EQ(cut(3, 5).begin, 2);
   EXPECT_EQ(cut(3, 5).end, 6);
-  EXPECT_TRUE(cut(2.5, 5.5).is_empty());  // what would be left is narrow
+  EXPECT_TRUE(cut(2.5, 5.5).is_empty());  // the rest would be too narrow
 }
 
 TEST(WhereBelow, FindsOneCrossingOrTwo) {
-  // Equally far from (0, -1) and (4, -1) at 2.
+  // The place 2 is equally far from (0, -1) and (4, -1).
   const Stretches half =
       where_below(window_from(0, -1, 0, 4), window_from(4, -1, 0, 4), 0, 4, 0, 1e-9);
   ASSERT_EQ(half.count, 1);

@@ -15,7 +15,7 @@ using test::window_from;
 constexpr double kLength = 4;
 constexpr double kBorders = 100 * ShorterParts::kBorder * kLength;
 
-TEST(ShorterParts, AreTheWholeWindowWhereNothingElseIs) {
+TEST(ShorterParts, AreTheWholeWindowOnAnEmptyEdge) {
   const EdgeWindow fresh = window_from(1, -1, 0.5, 3);
   ShorterParts shorter(fresh, kLength, 0);
   EdgeWindow apart = window_from(0, -0.1, 3.5, 4);
@@ -25,7 +25,7 @@ TEST(ShorterParts, AreTheWholeWindowWhereNothingElseIs) {
   EXPECT_EQ(apart.begin, 3.5);
 }
 
-TEST(ShorterParts, EndWhereTheOtherIsAsShortAndCutIt) {
+TEST(ShorterParts, EndAtEqualDistanceAndCutTheOtherWindow) {
   const EdgeWindow fresh = window_from(0, -1, 0, 4);
   EdgeWindow other = window_from(4, -1, 0, 4);
   ShorterParts shorter(fresh, kLength, 0);
@@ -34,10 +34,10 @@ TEST(ShorterParts, EndWhereTheOtherIsAsShortAndCutIt) {
   EXPECT_NEAR(shorter.parts()[0][1], 2, kBorders);
   EXPECT_NEAR(other.begin, 2, kBorders);
   EXPECT_EQ(other.end, 4);
-  EXPECT_GE(shorter.parts()[0][1], other.begin);  // nothing between them
+  EXPECT_GE(shorter.parts()[0][1], other.begin);  // no gap between the two
 }
 
-TEST(ShorterParts, AreTwoWhereTheOtherIsShorterInside) {
+TEST(ShorterParts, AreTwoIfAnotherWindowIsShorterInside) {
   const double r = std::sqrt(105.0) / 8;  // as in WhereBelow
   const EdgeWindow fresh = window_from(2, -2, 0, 4);
   EdgeWindow other = window_from(2, -0.5, 0, 4, 1);
@@ -50,7 +50,7 @@ TEST(ShorterParts, AreTwoWhereTheOtherIsShorterInside) {
   EXPECT_NEAR(other.end, 2 + r, kBorders);
 }
 
-TEST(ShorterParts, InsideTheOtherLeaveItWhole) {
+TEST(ShorterParts, InsideAnotherWindowLeaveItWhole) {
   const double r = std::sqrt(105.0) / 8;
   const EdgeWindow fresh = window_from(2, -0.5, 0, 4, 1);
   EdgeWindow other = window_from(2, -2, 0, 4);
@@ -63,7 +63,7 @@ TEST(ShorterParts, InsideTheOtherLeaveItWhole) {
   EXPECT_EQ(other.end, 4);
 }
 
-TEST(ShorterParts, AreNoneOfWhatIsAsShort) {
+TEST(ShorterParts, AreEmptyForAnEqualWindow) {
   const EdgeWindow fresh = window_from(1, -1, 0, 4);
   EdgeWindow other = fresh;
   ShorterParts shorter(fresh, kLength, 1e-13);

@@ -1,4 +1,4 @@
-// What is known at vertices, and which of two ways is nearer.
+// Distances at vertices, and the order of two ways.
 #include "talweg/intrinsic/exact_distance/vertex_distances.hpp"
 
 #include <cmath>
@@ -44,15 +44,15 @@ TEST(VertexDistances, AreOnlyLowered) {
   EXPECT_EQ(distances[v].curve, 0U);
   EXPECT_TRUE(distances.lower(v, {1, 1, 4}));
   EXPECT_EQ(distances[v].arc_length, 4);
-  // By rounding only: taken, and not worth telling.
+  // A distance lower by rounding only is stored, but not reported as lower.
   EXPECT_FALSE(distances.lower(v, {std::nextafter(1.0, 0.0), 2, 0}));
   EXPECT_EQ(distances[v].curve, 2U);
-  // What rounding makes of 0.
+  // A tiny negative distance from rounding becomes 0.
   EXPECT_TRUE(distances.lower(v, {-1e-17, 0, 0}));
   EXPECT_EQ(distances[v].distance, 0);
 }
 
-TEST(VertexDistances, KnowWhatWasReached) {
+TEST(VertexDistances, ListTheReachedVertices) {
   VertexDistances distances(4);
   for (const std::size_t v : {2UL, 0UL, 2UL}) distances.lower(VertexId{v}, {1, 0, 0});
   ASSERT_EQ(distances.reached().size(), 2U);

@@ -1,5 +1,5 @@
 // The shortest way to a point of one face, half of the unit square with the corners (0, 0), (1, 0)
-// and (1, 1), and how it changes; and copies of faces.
+// and (1, 1), and its slopes; and copies of faces.
 #include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
 
 #include <cmath>
@@ -30,7 +30,9 @@ class WaysIntoAFace : public testing::Test {
   const PlanePoint right_{1, 0}, up_{0, 1};
 };
 
-TEST_F(WaysIntoAFace, AreNoneAtFirst) { EXPECT_TRUE(std::isinf(ways_.hit(at_).nearest.distance)); }
+TEST_F(WaysIntoAFace, AreInfiniteAtFirst) {
+  EXPECT_TRUE(std::isinf(ways_.hit(at_).nearest.distance));
+}
 
 TEST_F(WaysIntoAFace, ComeFromCorners) {
   ways_.corners[0] = {3, 0, 0};
@@ -63,7 +65,7 @@ TEST_F(WaysIntoAFace, AreCounted) {
 }
 
 TEST_F(WaysIntoAFace, ComeThroughWindows) {
-  // From (0.25, -1), through all of the base.
+  // A window from (0.25, -1) through the whole base.
   const LedIn led_in{test::window_from(0.25, -1, 0, 1), 1, 0, true};
   ways_.windows = {&led_in, 1};
   ways_.corners[1] = {5, 0, 0};
@@ -76,7 +78,7 @@ TEST_F(WaysIntoAFace, ComeThroughWindows) {
 }
 
 TEST_F(WaysIntoAFace, ComeThroughWindowsThatRunAgainstTheSide) {
-  // The same, turned: now the face is below the edge.
+  // The same window, turned: the face is below the edge.
   const LedIn led_in{test::window_from(0.25, -1, 0, 1).turned(1), 1, 0, false};
   ways_.windows = {&led_in, 1};
   const auto hit = ways_.hit(at_);

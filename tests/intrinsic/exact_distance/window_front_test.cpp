@@ -1,4 +1,4 @@
-// The march from sources that are given by hand, on flat grids of unit squares.
+// The march from given sources, on flat grids of unit squares.
 #include "talweg/intrinsic/exact_distance/window_front.hpp"
 
 #include <cmath>
@@ -42,7 +42,7 @@ TEST_F(MarchOnAGrid, FromACornerIsEuclidean) {
   EXPECT_TRUE(std::isinf(front_.distance()));
 }
 
-TEST_F(MarchOnAGrid, WhatLiesBehindTheFrontIsFinal) {
+TEST_F(MarchOnAGrid, DistancesBehindTheFrontAreFinal) {
   front_.reset(0.25);
   front_.start_at(VertexId{0}, {0, 0, 0});
   double before = 0;
@@ -63,7 +63,7 @@ TEST_F(MarchOnAGrid, WindowsCanBeSourcesAndAreForgotten) {
   front_.reset(0.25);
   front_.start_at(VertexId{0}, {0, 0, 0});
   march_to_the_end(front_);
-  // A point 0.5 above the base of the first face, from whose frame it is seen.
+  // A source 0.5 above the base of the first face, in the frame of the face.
   front_.reset(0.25);
   EXPECT_EQ(front_.windows().size(), 0U);
   EXPECT_TRUE(std::isinf(front_.vertices()[VertexId{0}].distance));
@@ -94,7 +94,7 @@ TEST_F(MarchOnAGrid, WithoutRoomDistancesFartherOutAreLonger) {
       EXPECT_NEAR(known, true_one, kMarched);
     }
     EXPECT_GE(known, true_one - kMarched);
-    EXPECT_LE(known, true_one * std::sqrt(2.0) + kMarched);  // along edges at most
+    EXPECT_LE(known, true_one * std::sqrt(2.0) + kMarched);  // at most the distance along edges
     if (known > true_one + 0.1) ++longer;
   }
   EXPECT_GT(longer, 0);
@@ -114,7 +114,7 @@ TEST_F(MarchOnAGrid, ContinuesWhereItWasInterrupted) {
   front_.work().ask(&asker);
   int interrupted = 0;
   while (!front_.is_done()) {
-    front_.work().add(Asker::kEvery);  // so that it asks at once
+    front_.work().add(Asker::kEvery);  // the asker is called at once
     try {
       front_.march();
     } catch (const Cancelled&) {

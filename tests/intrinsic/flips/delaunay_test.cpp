@@ -26,7 +26,7 @@ std::vector<Corners> sorted_corners(const std::vector<MetricTriangle>& triangles
   return list;
 }
 
-/// The surface with another triangulation: random flips of planar triangles, by coordinates.
+/// The surface with another triangulation, by random flips of planar triangles.
 Surface flipped(const TestMesh& mesh, std::uint64_t seed) {
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
@@ -76,12 +76,13 @@ TEST(Delaunay, PlanarTrianglesHaveEmptyCircles) {
   }
 }
 
-/// Cotan weights of all inner edges, by edge, from the triangles in the order of side.
+/// Expects non-negative cotan weights of all inner edges.
 void expect_weights_not_negative(const Surface& s) {
   SignpostTriangulation t(s);
   std::vector<MetricTriangle> triangles = delaunay_triangles(s);
   EXPECT_EQ(triangles.size(), s.face_count());
-  // Sides with equal ends and length belong together on surfaces without multi-edges of one length.
+  // Sides with the same ends and length are one edge, on surfaces without multi-edges of equal
+  // length.
   std::map<std::array<std::size_t, 2>, std::vector<std::array<double, 2>>> opposite;
   for (const MetricTriangle& m : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -127,7 +128,7 @@ TEST(Delaunay, EndsOnNeedlesAndZeroAreas) {
   }
   for (int k = 0; k < 50; ++k) {
     TestMesh mesh = grid(8, 8, 0.2, static_cast<std::uint64_t>(k + 1));
-    // Vertices on top of each other and on others' edges.
+    // Vertices moved onto other vertices and onto edges.
     for (int i = 0; i < 12; ++i) {
       const std::size_t v = random.below(mesh.points.size());
       const std::size_t w = v + 1 < mesh.points.size() ? v + 1 : v - 1;

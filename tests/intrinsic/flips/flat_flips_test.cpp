@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-/// Points by turns on two sides of face 0, as vertices that are joined in this order.
+/// Points alternating between two sides of face 0, as vertices joined in this order.
 struct Zigzag {
   SignpostTriangulation triangulation;
   std::vector<HalfedgeId> path;
@@ -57,7 +57,7 @@ TEST(FlatFlips, TurnedEdgesHaveTheLengthBetweenTheirEnds) {
     const Point a = where(h), b = where(t.next(h)), c = where(t.prev(h));
     const double twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     EXPECT_GT(twice, 0);
-    area += twice / 6;  // each face is met at three sides
+    area += twice / 6;  // each face is counted at its three sides
   }
   EXPECT_NEAR(area, 1, 1e-12);
   for (std::size_t v = 0; v < t.vertex_count(); ++v) {

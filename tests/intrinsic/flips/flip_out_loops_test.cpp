@@ -1,4 +1,4 @@
-// Closed paths: loops that stay, loops that shrink away, loops of one edge.
+// Closed paths: loops that stay, loops that collapse, loops of one edge.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(FlipOutLoops, CylinderLoopIsItsCircumference) {
         wavy.push_back(k + (k % 2 == 0 ? r : high + low - r) * n);
       }
     }
-    if (n % 2 == 1) {  // back down where the last column climbed
+    if (n % 2 == 1) {  // down again after the climb of the last column
       for (std::size_t r = 4; r >= 1; --r) wavy.push_back(n - 1 + r * n);
     }
     std::vector<std::size_t> tidy;
@@ -86,7 +86,7 @@ TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
   Random random(6);
   for (std::size_t i = 0; i < 24; i += 5) {
     SignpostTriangulation t(s);
-    // Around the tube at column i, with detours.
+    // A loop around the tube at column i, with detours.
     std::vector<std::size_t> loop;
     for (std::size_t j = 0; j < 10; ++j) {
       loop.push_back(i * 10 + j);
@@ -99,7 +99,7 @@ TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
     }
     const FlipOutResult result = straighten_loop(t, path_through(t, loop, true));
     expect_geodesic(t, result);
-    // The tube's section is a decagon at a column, squeezed towards the middle of two columns.
+    // The section of the tube is a decagon at a column, narrower between two columns.
     double shortest = 0;
     for (int j = 0; j < 10; ++j) {
       const double u = 2 * kPi * j / 10, v = u + 2 * kPi / 10;
@@ -109,7 +109,7 @@ TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
     EXPECT_GE(result.paths[0].length_after, shortest * (1 - 1e-12));
     EXPECT_LE(result.paths[0].length_after, 20 * std::sin(kPi / 10) * (1 + 1e-8));
     Tracer(t).trace_and_undo({});
-    // Around the hole: slides to its inner rim, and nothing around it is shorter.
+    // A loop around the hole slides to the inner rim; no loop around the hole is shorter.
     std::vector<std::size_t> around;
     for (std::size_t k = 0; k < 24; ++k) around.push_back(k * 10 + 3);
     const FlipOutResult hole = straighten_loop(t, path_through(t, around, true));
@@ -177,7 +177,7 @@ TEST(FlipOutLoops, ContractibleLoopsCollapse) {
         EXPECT_LE(c.mesh.points.size(), 6U);
       } else {
         EXPECT_EQ(result.paths[0].termination, Termination::kCollapsed);
-        // Below the floor, or the last loop before a mere edge out and back.
+        // The loop is below the floor, or it was the last loop before an edge out and back.
         const auto h = result.paths[0].path.halfedges();
         EXPECT_TRUE(h.size() != 2 || edge_of(h[0]) != edge_of(h[1]));
         if (floor > mean && c.mesh.points.size() > 6) {
@@ -285,7 +285,7 @@ TEST(FlipOutLoops, ClosedGeodesicOfOneEdgeOnTheFlatTorus) {
     expect_geodesic(t, result);
     EXPECT_EQ(result.iterations, 0U);
   }
-  // Once along each side, as one loop: homotopic to one of the diagonals.
+  // A loop once along each side is homotopic to one of the diagonals.
   const HalfedgeId a = halfedge_of(EdgeId{0}), b = halfedge_of(EdgeId{1});
   for (const HalfedgeId second : {b, twin(b)}) {
     const FlipOutResult result = straighten_loop(t, EdgePath::make(t, {a, second}, true));

@@ -41,7 +41,8 @@ TEST(FlipOutOneEdge, LoneLoopsBecomeStraightOnBothSides) {
 }
 
 TEST(FlipOutOneEdge, LoopsThatOthersHoldStayAsTheyAre) {
-  // A loop that is opened and then meets another path is put back, with all flips of the attempt.
+  // A loop that is opened and then meets another path is restored, and all flips of the attempt are
+  // undone.
   Random random(52);
   std::size_t held = 0;
   for (int k = 0; k < 20000; ++k) {
@@ -75,7 +76,7 @@ TEST(FlipOutOneEdge, LoopsThatOthersHoldStayAsTheyAre) {
   EXPECT_GT(held, 100U);
 }
 
-/// A Δ-complex: pairs of sides (three times the face, plus the side) that are glued.
+/// A Δ-complex from pairs of glued sides; a side is 3 · face + number.
 Surface glued(std::size_t vertices, const std::vector<Triangle>& triangles,
               const std::vector<std::array<std::uint32_t, 2>>& pairs) {
   std::vector<std::uint32_t> gluing(3 * triangles.size(), Surface::kNoSide);
@@ -112,9 +113,9 @@ TEST(FlipOutOneEdge, AnnulusGivesItsClosedGeodesic) {
 }
 
 TEST(FlipOutOneEdge, AnOpeningThatFailsAfterFlipsIsTakenBack) {
-  // The loop gets shorter only on its far side, where the second path lies: alone it does, beside
-  // that path it is as if nothing had been tried. Every edge is as long as the weights of its ends
-  // together, so inside there is another loop of the same length.
+  // The loop gets shorter only on its far side, where the second path lies. Alone the loop is
+  // shortened; beside that path the attempt is undone completely. The length of an edge is the sum
+  // of the weights of its ends, so inside there is another loop of the same length.
   Surface s = glued(4, {{0, 0, 1}, {2, 1, 0}, {3, 0, 0}, {1, 2, 0}, {2, 0, 0}},
                     {{1, 4}, {2, 11}, {3, 9}, {5, 12}, {6, 8}, {7, 13}, {10, 14}});
   const std::array<double, 4> weight = {11.6, 12.3, 0.07, 0.05};

@@ -1,4 +1,4 @@
-// Pins, limits, cancellation; what must not change a result.
+// Pins, limits, cancellation, and changes that must not affect a result.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -36,8 +36,8 @@ TEST(FlipOutOptions, PinnedVerticesAreKept) {
   EXPECT_EQ(other.paths[0].termination, Termination::kConverged);
 }
 
-TEST(FlipOutOptions, PinsThatThePathDoesNotPassAreNothingToIt) {
-  // On its way to the straight line the path meets vertices that are pinned for others.
+TEST(FlipOutOptions, PinsOffThePathHaveNoEffect) {
+  // While it is straightened, the path meets vertices that are pinned for other paths.
   const TestMesh mesh = grid(8, 8, 0.2);
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
@@ -52,7 +52,8 @@ TEST(FlipOutOptions, PinsThatThePathDoesNotPassAreNothingToIt) {
   const FlipOutResult result = straighten_with(t, path_through(t, arch), options);
   EXPECT_NEAR(result.paths[0].length_after, 8, 1e-8);
   Tracer(t).trace_and_undo({});
-  // A spike that ends at a pin stays; its foot may not slide when the pin is there.
+  // A spike with a pin at its tip stays. With a pin at its foot instead, the spike vanishes and the
+  // foot stays.
   const EdgePath spike = path_through(t, {0, 10, 20, 21, 20, 30, 40});
   options.pinned = {VertexId{21}};
   const Point &a = mesh.points[0], &b = mesh.points[21], &c = mesh.points[40];
@@ -69,7 +70,7 @@ TEST(FlipOutOptions, OptionsAreChecked) {
   const Surface s = surface_of(grid(1, 1));
   SignpostTriangulation t(s);
   const EdgePath path = path_through(t, {0, 1});
-  // The sentence names the field.
+  // The error message names the field.
   const auto expect_refused = [&](const FlipOutOptions& options, const char* field) {
     try {
       straighten_with(t, path, options);
@@ -131,7 +132,7 @@ TEST(FlipOutOptions, LimitsAndCancelLeaveAUsableState) {
     const FlipOutResult result = straighten_with(t, path, options);
     EXPECT_EQ(result.paths[0].termination, Termination::kLimit);
     EXPECT_GE(result.flips, most);
-    EXPECT_LT(result.flips, most + 20);  // the wedge that is being cleared
+    EXPECT_LT(result.flips, most + 20);  // flips of the current wedge
     EXPECT_LT(result.paths[0].length_after, result.paths[0].length_before);
     const TraceResult traced = Tracer(t).trace_and_undo(std::array{result.paths[0].path});
     EXPECT_NEAR(length_of(s, mesh.points, traced.curves[0]), result.paths[0].length_after,
@@ -200,7 +201,8 @@ TEST(FlipOutOptions, ScaleReversalAndNumbering) {
     EXPECT_NEAR(straighten_with(u, path_through(u, vertices)).paths[0].length_after / scale, length,
                 1e-12 * length);
   }
-  // Joints up to 1e-5 off straight: a relative difference of (1e-5)² at most for each.
+  // A joint may be off straight by 1e-5, which changes the length by at most a relative (1e-5)² per
+  // joint.
   const std::vector<std::size_t> reversed(vertices.rbegin(), vertices.rend());
   EXPECT_NEAR(straighten_with(t, path_through(t, reversed)).paths[0].length_after, length,
               1e-9 * length);

@@ -1,4 +1,4 @@
-// Joints that another path blocked: looked at again when that path has gone, wherever it went from.
+// Joints blocked by another path are examined again when that path has moved away.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// A fan about vertex 0 with rim vertices at these angles (degrees) on the unit circle.
+/// A fan around vertex 0 with rim vertices at these angles (degrees) on the unit circle.
 TestMesh fan_at(const std::vector<double>& degrees) {
   TestMesh mesh;
   mesh.points.push_back({0, 0, 0});
@@ -24,11 +24,12 @@ TestMesh fan_at(const std::vector<double>& degrees) {
   return mesh;
 }
 
-TEST(FlipOutRelease, JointAtTheOuterEndOfASpikeThatIsTakenBack) {
-  // The first path runs straight over the centre (150° to 330°), but from there once around the
-  // triangle between 10° and 20°. The second one bends at the centre by a wedge from 0° to 30°,
-  // the sharpest of all, so it is tried first and is blocked by that triangle. The triangle becomes
-  // a spike and goes; the spike's own joint is on the rim, the centre is its outer end.
+TEST(FlipOutRelease, JointAtTheOuterEndOfARemovedSpike) {
+  // The first path runs straight over the centre (150° to 330°), with a detour from the centre
+  // around the triangle between 10° and 20°. The second path bends at the centre by the wedge from
+  // 0° to 30°. This wedge is the sharpest, so it is tried first and is blocked by the triangle. The
+  // triangle then becomes a spike and vanishes. The joint of the spike is on the rim; the centre is
+  // its outer end.
   const TestMesh mesh = fan_at({0, 10, 20, 30, 90, 150, 210, 270, 330});
   constexpr std::size_t kCentre = 0, k0 = 1, k10 = 2, k20 = 3, k30 = 4, k150 = 6, k330 = 9;
   const Surface s = surface_of(mesh);
@@ -42,9 +43,9 @@ TEST(FlipOutRelease, JointAtTheOuterEndOfASpikeThatIsTakenBack) {
 }
 
 TEST(FlipOutRelease, BlockedAreExactlyTheJointsThatStayBent) {
-  // Walks that share edges, with others and with themselves, free each other's joints from both
-  // outer ends of a wedge. A joint that is straight in the end, and counted all the same, was freed
-  // without anybody looking.
+  // Walks that share edges, with others and with themselves, release joints at both outer ends of a
+  // wedge. A joint that ends straight but is counted as blocked was released without another
+  // examination.
   Random random(4);
   std::size_t bent = 0;
   for (int k = 0; k < 20000; ++k) {

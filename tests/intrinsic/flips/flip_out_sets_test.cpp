@@ -1,5 +1,4 @@
-// Several paths on one triangulation: they share edges, meet and press on each other, and never
-// cross.
+// Several paths on one triangulation: they share edges, meet, block each other, and never cross.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,7 +14,8 @@ using namespace test;
 
 double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// Proper crossings of two planar polylines: inside both segments by more than rounding.
+/// The number of proper crossings of two planar polylines: inside both segments by more than
+/// rounding.
 std::size_t crossings(const std::vector<Point>& a, const std::vector<Point>& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i + 1 < a.size(); ++i) {
@@ -55,8 +55,8 @@ Outcome straighten_all(const Surface& s, const TestMesh& mesh, const std::vector
 }
 
 TEST(FlipOutSets, SecondPathLeansOnTheFirst) {
-  // The first path is straight along the middle row; the second one runs from below to above it
-  // around its end and may not cut through it.
+  // The first path is straight along the middle row. The second path runs from below to above the
+  // row around the end of the first path and may not cross it.
   const TestMesh mesh = grid(8, 8);
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
@@ -76,7 +76,7 @@ TEST(FlipOutSets, SecondPathLeansOnTheFirst) {
 }
 
 TEST(FlipOutSets, BlockedPathsAreFreeOnceTheOtherHasMoved) {
-  // Nested arches over the same two columns: whichever is first, each becomes straight.
+  // Nested arches over the same columns: in either order, both become straight.
   const TestMesh mesh = grid(10, 10, 0.2);
   const Surface s = surface_of(mesh);
   const auto id = [](std::size_t i, std::size_t j) { return i + 11 * j; };
@@ -90,7 +90,8 @@ TEST(FlipOutSets, BlockedPathsAreFreeOnceTheOtherHasMoved) {
   };
   for (const bool outer_first : {false, true}) {
     SignpostTriangulation t(s);
-    // The inner one starts lower, so the outer one's chord is free when the inner has gone.
+    // The inner arch starts lower, so the chord of the outer arch is free once the inner arch is
+    // straight.
     const auto inner = arch(3, 7, 1, 7), outer = arch(2, 8, 2, 8);
     const auto a = path_through(t, outer_first ? outer : inner);
     const auto b = path_through(t, outer_first ? inner : outer);
@@ -106,7 +107,7 @@ TEST(FlipOutSets, BlockedPathsAreFreeOnceTheOtherHasMoved) {
 }
 
 TEST(FlipOutSets, PathsThatShareEdgesKeepTheirSides) {
-  // Both run along the middle row; one comes from above and leaves above, the other below.
+  // Both paths run along the middle row; one comes from above and leaves above, the other below.
   const TestMesh mesh = grid(8, 8);
   const Surface s = surface_of(mesh);
   const auto id = [](std::size_t i, std::size_t j) { return i + 9 * j; };
@@ -131,7 +132,8 @@ TEST(FlipOutSets, PathsThatShareEdgesKeepTheirSides) {
       EXPECT_NEAR(result.paths[0].length_after, 6, 1e-9);
       EXPECT_NEAR(result.paths[1].length_after, 6, 1e-9);
       EXPECT_EQ(crossings(lines[0], lines[1]), 0U);
-      // One from above to below: it has to cross; its two bends at the shared row differ in side.
+      // A path from above to below has to cross; its two bends at the shared row are on different
+      // sides.
       SignpostTriangulation u(s);
       const auto through = along(6, 2, reversed), flat = along(4, 4, false);
       const auto outcome =
@@ -144,8 +146,8 @@ TEST(FlipOutSets, PathsThatShareEdgesKeepTheirSides) {
 }
 
 TEST(FlipOutSets, PathCannotPassAWallWhoseEdgesItShares) {
-  // The wall turns by a right angle at a pin; the other path shares both edges there, on the outer
-  // side, and is drawn towards the inner one.
+  // The wall turns by a right angle at a pin. The other path shares both edges there, on the outer
+  // side, and is pulled towards the inner side.
   const TestMesh mesh = grid(8, 8);
   const Surface s = surface_of(mesh);
   const auto id = [](std::size_t i, std::size_t j) { return i + 9 * j; };
@@ -165,7 +167,7 @@ TEST(FlipOutSets, PathCannotPassAWallWhoseEdgesItShares) {
       EXPECT_NEAR(result.paths[wall_first].length_after, taut, 1e-9);
     }
   }
-  // Without the pin the wall yields, and both are straight in the end.
+  // Without the pin the wall yields, and both paths become straight.
   SignpostTriangulation t(s);
   const std::array paths = {path_through(t, wall), path_through(t, leaning)};
   const FlipOutResult result = FlipOut(t).run(paths, {});
@@ -221,7 +223,7 @@ TEST(FlipOutSets, DisjointPathsNeverCross) {
     const TestMesh mesh = grid(9, 9, 0.2, 1 + random.below(1000));
     const Surface s = surface_of(mesh);
     SignpostTriangulation t(s);
-    // Self-avoiding walks that also avoid each other.
+    // Self-avoiding walks that avoid each other, too.
     std::vector<EdgePath> paths;
     std::set<VertexId> met;
     for (int p = 0; p < 5; ++p) {
@@ -249,7 +251,7 @@ TEST(FlipOutSets, DisjointPathsNeverCross) {
         EXPECT_EQ(crossings(lines[a], lines[b]), 0U) << k << ": " << a << ", " << b;
       }
     }
-    // Alone on the surface a path is blocked by nobody and becomes a straight line.
+    // A path that no other path blocks becomes a straight line.
     if (result.blocked == 0) {
       for (std::size_t a = 0; a < lines.size(); ++a) {
         EXPECT_NEAR(result.paths[a].length_after, distance(lines[a].front(), lines[a].back()),
@@ -261,7 +263,7 @@ TEST(FlipOutSets, DisjointPathsNeverCross) {
 }
 
 TEST(FlipOutSets, NestedLoopsOnADisc) {
-  // Concentric loops shrink one inside the other; the inner one goes first, whatever the order.
+  // Concentric loops shrink one inside the other; the inner loop collapses first, in either order.
   const TestMesh mesh = disc(12, 8);
   const Surface s = surface_of(mesh);
   for (const bool inner_first : {false, true}) {
@@ -279,13 +281,13 @@ TEST(FlipOutSets, NestedLoopsOnADisc) {
     const std::size_t inner = inner_first ? 0 : 1;
     EXPECT_EQ(result.paths[inner].termination, Termination::kCollapsed);
     EXPECT_LT(result.paths[inner].length_after, 0.8);
-    // The outer one cannot pass through what is left of the inner one.
+    // The outer loop cannot pass through the rest of the inner loop.
     EXPECT_GE(result.paths[1 - inner].length_after, result.paths[inner].length_after * (1 - 1e-9));
     Tracer(t).trace_and_undo({});
   }
 }
 
-/// A joint that is bent although no path runs in its wedge or shares its edges.
+/// Whether a joint is bent although no path runs in its wedge or shares its edges.
 bool has_free_bend(SignpostTriangulation& t, const std::vector<EdgePath>& paths) {
   std::vector<int> used(t.edge_count(), 0);
   for (const EdgePath& p : paths) {
@@ -331,7 +333,7 @@ TEST(FlipOutSets, ManyPathsOnRandomComplexes) {
       ASSERT_LE(p.length_after, p.length_before * (1 + 1e-12)) << k;
       ends.push_back(p.path);
     }
-    // What was blocked is looked at again when the others have moved.
+    // Blocked joints are examined again when the other paths have moved.
     if (converged) {
       ++checked;
       ASSERT_FALSE(has_free_bend(t, ends)) << k;

@@ -22,7 +22,7 @@ FlipOutResult straighten(SignpostTriangulation& t, const EdgePath& path,
   return FlipOut(t).run(std::span(&path, 1), options);
 }
 
-/// Straightens, checks what every result must keep, and traces.
+/// Straightens and traces a path, and checks the invariants of every result.
 SurfaceCurve straight_curve(const Surface& s, const TestMesh& mesh, const EdgePath& path,
                             SignpostTriangulation& t) {
   const Snapshot before = snapshot(t);
@@ -66,7 +66,8 @@ TEST(FlipOut, PlaneGivesStraightLines) {
       const Point &p = mesh.points[a], &q = mesh.points[b];
       const SurfaceCurve curve = straight_between(mesh, a, b);
       const double exact = distance(p, q), length = length_of(s, mesh.points, curve);
-      // Joints up to 1e-5 off straight: longer by at most (1e-5)² / 2 for each, never shorter.
+      // A joint may be off straight by 1e-5, so the length is longer by at most a relative (1e-5)²
+      // / 2 per joint, and never shorter.
       EXPECT_GE(length, exact * (1 - 1e-12));
       EXPECT_LE(length, exact * (1 + 1e-9));
       for (const SurfacePoint& x : curve.points) {
@@ -100,10 +101,10 @@ TEST(FlipOut, CylinderGivesHelices) {
   constexpr std::size_t kAround = 17, kUp = 9;
   const TestMesh mesh = cylinder(kAround, kUp, 1, 4);
   const Surface s = surface_of(mesh);
-  const double step = 2 * std::sin(kPi / kAround);  // the prism's side
+  const double step = 2 * std::sin(kPi / kAround);  // side of the prism
   for (std::size_t turn = 1; turn < 2 * kAround; turn += 5) {
     SignpostTriangulation t(s);
-    // Around along the lowest ring, then up: homotopic to the helix of as many steps.
+    // Around the lowest ring, then up: homotopic to the helix with as many steps.
     std::vector<std::size_t> vertices;
     for (std::size_t k = 0; k <= turn; ++k) vertices.push_back(k % kAround);
     for (std::size_t r = 1; r <= kUp; ++r) vertices.push_back(turn % kAround + r * kAround);
@@ -141,7 +142,7 @@ TEST(FlipOut, SphereConvergesToGreatCircles) {
   for (int level = 2; level <= 5; ++level) {
     const TestMesh mesh = sphere(level);
     const Surface s = surface_of(mesh);
-    // Two vertices of the octahedron's middle edges, 60° apart; both are in every level.
+    // Midpoints of two edges of the octahedron, 60° apart; both are vertices at every level.
     std::size_t a = 0, b = 0;
     const double r = std::sqrt(0.5);
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -150,7 +151,7 @@ TEST(FlipOut, SphereConvergesToGreatCircles) {
     }
     const auto curve = straight_between(mesh, a, b);
     const double error = std::abs(length_of(s, mesh.points, curve) - kPi / 3);
-    // Chords lie below the sphere: the error goes with the square of the edge length.
+    // Chords lie below the sphere, so the error is quadratic in the edge length.
     EXPECT_LT(error, level == 2 ? 0.05 : last_error / 3);
     last_error = error;
   }
@@ -176,11 +177,12 @@ TEST(FlipOut, AnnulusPathLeansOnTheHole) {
   const TestMesh mesh = annulus(n, 6, 1, 3);
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
-  // Half around on the outer ring: two tangents to the inner polygon and its arc between them.
+  // A path half around on the outer ring becomes two tangents to the inner polygon and the arc
+  // between them.
   std::vector<std::size_t> half;
   for (std::size_t k = 0; k <= n / 2; ++k) half.push_back(k);
   const FlipOutResult result = straighten(t, path_through(t, half));
-  // The polygon is touched at the vertex that is seen highest from the end (3, 0).
+  // The tangent touches the polygon at the vertex with the largest elevation from the end (3, 0).
   double highest = 0, exact = 0;
   for (std::size_t k = 0; k <= n / 4; ++k) {
     const double angle = 2 * kPi * static_cast<double>(k) / n;
@@ -191,7 +193,7 @@ TEST(FlipOut, AnnulusPathLeansOnTheHole) {
   }
   EXPECT_NEAR(result.paths[0].length_after, exact, 1e-9);
   EXPECT_EQ(result.paths[0].termination, Termination::kConverged);
-  // Towards the hole nothing can be cleared; on the other side no angle is below pi.
+  // On the side of the hole nothing can be cleared; on the other side no angle is below pi.
   const EdgePath& path = result.paths[0].path;
   for (std::size_t i = 0; i + 1 < path.halfedges().size(); ++i) {
     EXPECT_GE(corner_sum(t, path.halfedges()[i + 1], twin(path.halfedges()[i])), kStraight - 1e-9);
@@ -199,8 +201,8 @@ TEST(FlipOut, AnnulusPathLeansOnTheHole) {
 }
 
 TEST(FlipOut, GeodesicPassesThroughASaddleVertex) {
-  // The inner corner (2, 2, ·) of an L-shaped solid's top: cone angle 5/2 pi at (2, 2, 2) where the
-  // step meets the wall. The path between two walls is pinned to it from both sides.
+  // The vertex (2, 2, 2) of an L-shaped solid, where the step meets the inner edge of the wall, has
+  // a cone angle of 5/2 pi.
   const TestMesh mesh =
       voxels(4, 4, 4, [](int i, int j, int k) { return k < 2 || (i < 2 && j < 2); });
   const Surface s = surface_of(mesh);
@@ -211,7 +213,8 @@ TEST(FlipOut, GeodesicPassesThroughASaddleVertex) {
   }
   EXPECT_NEAR(t.cone_angle(VertexId{saddle}), 2.5 * kPi, 1e-12);
   const HalfedgeId h = s.halfedge(VertexId{saddle});
-  // Two spokes at least pi apart on both sides: a quarter of the cone more than straight.
+  // Two spokes with angles of at least pi on both sides: the cone has a quarter more than a full
+  // turn.
   HalfedgeId back = h;
   while (back == h || corner_sum(t, h, back) < kPi - 1e-9) back = t.turn_ccw(back);
   ASSERT_GE(corner_sum(t, back, h), kPi);
@@ -219,7 +222,7 @@ TEST(FlipOut, GeodesicPassesThroughASaddleVertex) {
   const FlipOutResult result = straighten(t, path);
   EXPECT_EQ(result.iterations, 0U);
   EXPECT_EQ(result.paths[0].length_after, result.paths[0].length_before);
-  // A cone of 2.5 pi holds paths that wander near it.
+  // Straightened random paths have no side angle below pi, also near the cone of 2.5 pi.
   Random random(3);
   for (int k = 0; k < 100; ++k) {
     const auto walk = random_walk(t, random, 30);
@@ -250,7 +253,7 @@ TEST(FlipOut, PathsBetweenInsertedPoints) {
          halfedges_through(t, shortest_vertices(s, from.index(), to.index()))) {
       path.push_back(h);
     }
-    if (!path.back().valid()) continue;  // a mesh edge that an insertion has split
+    if (!path.back().valid()) continue;  // an insertion has split this mesh edge
     insertion.connect(to, b, path);
     const FlipOutResult result = straighten(t, EdgePath::make(t, path, false));
     const Point p = position(s, mesh.points, t.location(a));
@@ -267,12 +270,12 @@ TEST(FlipOut, SpikesAreTakenBack) {
   const TestMesh mesh = grid(6, 6, 0.1);
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);
-  // 0 → 8 → 16, on to 17, 18 and back, then to 24.
+  // A path 0 → 8 → 16, to 17, 18 and back, then to 24.
   const FlipOutResult result =
       straighten(t, path_through(t, {0, 8, 16, 17, 18, 17, 16, 24, 16, 24}));
   EXPECT_NEAR(result.paths[0].length_after, distance(mesh.points[0], mesh.points[24]), 1e-9);
   Tracer(t).trace_and_undo({});
-  // Out and back is all there is: the two ends are one vertex.
+  // A path only out and back: its two ends are the same vertex.
   const FlipOutResult nothing = straighten(t, path_through(t, {24, 25, 24}));
   EXPECT_EQ(nothing.paths[0].termination, Termination::kCollapsed);
   Tracer(t).trace_and_undo({});

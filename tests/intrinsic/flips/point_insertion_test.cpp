@@ -14,7 +14,8 @@ namespace {
 
 using namespace test;
 
-/// Every edge is as long as its ends are apart, and every inner cone is 2 pi.
+/// Expects that the length of every edge is the distance of its ends, and every inner cone angle is
+/// 2 pi.
 void expect_planar(SignpostTriangulation& t, const TestMesh& mesh, double tolerance) {
   const auto where = [&](VertexId v) { return position(t.surface(), mesh.points, t.location(v)); };
   for (std::size_t e = 0; e < t.edge_count(); ++e) {
@@ -26,7 +27,7 @@ void expect_planar(SignpostTriangulation& t, const TestMesh& mesh, double tolera
     if (!t.has_face(h)) continue;
     EXPECT_EQ(t.next(t.next(t.next(h))), h);
     EXPECT_EQ(t.tail(t.next(h)), t.head(h));
-    // Counterclockwise in the plane, or flat.
+    // The triangle is counterclockwise in the plane, or flat.
     const Point a = where(t.tail(h)), b = where(t.head(h)), c = where(t.tail(t.prev(h)));
     EXPECT_GE((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), -tolerance);
   }
@@ -64,8 +65,8 @@ TEST(PointInsertion, PointsKeepTheirPlacesAndLengths) {
       EXPECT_EQ(t.location(vertices.back()), points.back());
     }
     EXPECT_EQ(t.inserted_count(), 120U);
-    // Each length is measured in its face from coordinates of size 3: d² to a few ulp of 1, so d
-    // of points 1e-3 apart to about 1e-12.
+    // Each length is computed in its face from coordinates of size 3: d² is exact to a few ulp of
+    // 1, so the d of points 1e-3 apart to about 1e-12.
     expect_planar(t, mesh, 1e-11);
     for (std::size_t k = 0; k < points.size(); ++k) {
       EXPECT_EQ(insertion.insert(points[k]), vertices[k]);
@@ -108,7 +109,7 @@ TEST(PointInsertion, PointsNearVerticesAndEdgesFallOnThem) {
       insertion.insert(SurfacePoint::in_face(s, FaceId{1}, {0.5, 0.5 - 1e-11, 1e-11}));
   EXPECT_TRUE(std::holds_alternative<OnEdge>(t.location(v).where()));
   expect_planar(t, mesh, 1e-10);
-  // A hundred points that approach a corner and an edge, well outside that tolerance.
+  // Points that approach a corner and an edge, far outside the tolerance.
   for (double d = 0.4; d > 1e-6; d /= 2) {
     insertion.insert(SurfacePoint::in_face(s, FaceId{3}, {1 - 2 * d, d, d}));
     insertion.insert(SurfacePoint::in_face(s, FaceId{4}, {0.5, 0.5 - d, d}));
@@ -131,8 +132,9 @@ TEST(PointInsertion, PointsOnTheSideOfASliverKeepTheirPlaces) {
 }
 
 TEST(PointInsertion, AVertexLiesInEveryFaceOfItsPoint) {
-  // Among slivers a vertex inside a face may be as near to a point of the face's side as rounding.
-  // The point is not to become that vertex: the face on the other side does not have it.
+  // Among slivers a vertex inside a face may be within rounding of a point on a side of the face.
+  // The point must not become that vertex, because the face across the side does not have the
+  // vertex.
   const Surface s = surface_of(grid(1, 1));
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SignpostTriangulation t(s);
@@ -209,7 +211,7 @@ TEST(PointInsertion, ConnectsAlongMeshEdgesAndCorners) {
   insertion.connect(VertexId{1}, VertexId{0}, path);
   EXPECT_EQ(path.size(), 3U);
   EXPECT_EQ(t.head(path[0]), b);
-  // From a corner to the opposite side of one face.
+  // From a corner of a face to its opposite side.
   const HalfedgeId opposite = s.find_halfedge(VertexId{1}, VertexId{4});
   const VertexId c = insertion.insert(SurfacePoint::on_edge(s, edge_of(opposite), 0.5));
   path.clear();

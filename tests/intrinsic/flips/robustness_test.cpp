@@ -1,5 +1,5 @@
-// Random Δ-complexes, needles and zero-area faces: whatever comes in, runs end, lengths never rise,
-// and a trace is as long as its path.
+// Random Δ-complexes, needles and faces of zero area: every run ends, lengths never grow, and a
+// traced curve has the length of its path.
 #include <cmath>
 #include <string>
 
@@ -14,14 +14,14 @@ namespace {
 
 using namespace test;
 
-/// A random path, closed where the walk can be closed.
+/// A random path; mostly closed if the walk returns to its beginning.
 EdgePath random_path(SignpostTriangulation& t, Random& random, std::size_t steps) {
   const auto walk = random_walk(t, random, 1 + random.below(steps));
   bool closed = t.tail(walk.front()) == t.head(walk.back()) && random.below(4) != 0;
   return EdgePath::make(t, walk, closed);
 }
 
-/// A bent joint that nobody blocks: not even another passage of the path itself.
+/// Whether a joint is bent although nothing blocks it, not even another passage of the path itself.
 bool has_free_bend(SignpostTriangulation& t, const EdgePath& path) {
   const auto h = path.halfedges();
   std::vector<char> used(t.edge_count(), 0);
@@ -121,7 +121,7 @@ TEST(Robustness, LengthNeverRisesStepByStep) {
   }
 }
 
-/// Vertices moved onto their neighbours, and next to nothing beside them.
+/// A mesh with some vertices moved onto their neighbours, exactly or almost.
 TestMesh damaged(TestMesh mesh, Random& random, std::size_t count, bool exact) {
   const Surface s = Surface::from_triangles(mesh.points.size(), mesh.triangles);
   for (std::size_t k = 0; k < count; ++k) {
@@ -156,7 +156,7 @@ TEST(Robustness, ZeroAreasAndNeedlesInRealSurfaces) {
     clamped += traced.clamped;
     ASSERT_TRUE(runs_in_faces(s, traced.curves[0])) << k;
     ASSERT_EQ(snapshot(t), before);
-    // Unfolding through faces 1e-9 thin costs digits, not the result.
+    // Unfolding through faces of width 1e-9 loses digits, but gives a result.
     ASSERT_NEAR(length_of(s, mesh.points, traced.curves[0]), length, 1e-5 * (1 + length)) << k;
   }
   RecordProperty("clamped", static_cast<int>(clamped));
@@ -175,7 +175,7 @@ TEST(Robustness, AllLengthsZero) {
 }
 
 TEST(Robustness, OneWorkspaceServesManyRuns) {
-  // What a run leaves behind in FlipOut and Tracer must not reach the next one.
+  // State left by a run in FlipOut and Tracer must not affect the next run.
   const TestMesh mesh = torus(12, 7, 3, 1);
   const Surface s = surface_of(mesh);
   SignpostTriangulation t(s);

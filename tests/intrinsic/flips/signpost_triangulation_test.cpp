@@ -23,7 +23,7 @@ double planar_angle(const TestMesh& mesh, VertexId a, VertexId b, VertexId c) {
   return angle < 0 ? angle + 2 * kPi : angle;
 }
 
-/// The difference of two angles that may lie on both sides of 0 = 2 pi.
+/// The difference of two angles modulo 2 pi.
 double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * kPi)); }
 
 TEST(SignpostTriangulation, FlipThenUndoRestoresEveryBit) {
@@ -57,7 +57,7 @@ TEST(SignpostTriangulation, FourFlipsOfOneEdgeTurnItAroundOnce) {
   }
   EXPECT_EQ(t.tail(h).index(), tails[0]);
   EXPECT_EQ(t.tail(h).index(), s.tail(h).index());
-  // Counterclockwise by a quarter each time.
+  // Each flip turns the edge counterclockwise by a quarter.
   EXPECT_NE(tails[0], tails[2]);
   EXPECT_NE(tails[1], tails[3]);
 }
@@ -71,7 +71,8 @@ TEST(SignpostTriangulation, RefusesFlipsThatLeaveTheDiamond) {
   for (std::size_t e = 0; e < s.edge_count(); ++e) EXPECT_FALSE(t.flip(EdgeId{e}));
   EXPECT_EQ(snapshot(t), before);
   EXPECT_EQ(t.flip_count(), 0U);
-  // Two right angles side by side: the diamond is a triangle, its other diagonal a side.
+  // Two right angles side by side: the diamond is a triangle, and its other diagonal one of the
+  // sides.
   const TestMesh flat = {{{0, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const Surface flat_surface = surface_of(flat);
   SignpostTriangulation flat_t(flat_surface);
@@ -90,8 +91,8 @@ TEST(SignpostTriangulation, FaceGluedToItselfDoesNotFlip) {
 }
 
 TEST(SignpostTriangulation, LengthsAndDirectionsAgreeWithThePlane) {
-  // A flip computes its length from five others with an error of a few ulp over the smallest
-  // angle, here 20 times that; errors add up along chains of thousands of flips.
+  // A flip computes a length from five others with an error of a few ulp divided by the smallest
+  // angle, here 20 times that. Errors add up over thousands of flips.
   constexpr double kTolerance = 1e-11;
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const TestMesh mesh = grid(8, 8, 0.24, seed);
@@ -112,7 +113,7 @@ TEST(SignpostTriangulation, LengthsAndDirectionsAgreeWithThePlane) {
         if (!t.has_face(h)) break;
         h = t.turn_ccw(h);
       } while (h != first);
-      // The signposts' cone is that of the corners, whatever was flipped.
+      // The cone angle of the signposts stays the sum of the corners after any flips.
       if (!t.on_boundary(VertexId{v})) {
         EXPECT_NEAR(corner_sum(t, first, first), 2 * kPi, 100 * kTolerance);
         EXPECT_NEAR(t.cone_angle(VertexId{v}), 2 * kPi, 1e-14);
@@ -206,7 +207,7 @@ TEST(SignpostTriangulation, OneFlipTouchesFourVertices) {
   EXPECT_EQ(asked, 0);
   ASSERT_TRUE(t.flip(edge_of(s.find_halfedge(VertexId{220}, VertexId{242}))));
   EXPECT_EQ(t.touched().size(), 4U);
-  // Four stars of six triangles.
+  // The stars of four vertices, with six triangles each.
   EXPECT_LE(asked, 4 * 12);
 }
 
@@ -239,14 +240,14 @@ TEST(SignpostTriangulation, FindHalfedgeAfterFlips) {
 }
 
 TEST(SignpostTriangulation, SplitsAfterALookAreSeen) {
-  // Directions and lengths that were laid out before an insertion must not survive it.
+  // Directions and lengths computed before an insertion must not be used after it.
   const TestMesh mesh = grid(2, 2);
   const Surface s = surface_of(mesh);
   SignpostTriangulation looked(s), fresh(s);
   looked.prepare_all();
   for (SignpostTriangulation* t : {&looked, &fresh}) {
     const HalfedgeId h = s.find_halfedge(VertexId{1}, VertexId{4});
-    // Its faces are (1, 4, 0) on the left and (4, 1, 5) on the right.
+    // The faces of the edge are (1, 4, 0) on the left and (4, 1, 5) on the right.
     const VertexId m = t->split_edge(h, {0.25, 0.75, std::hypot(1, 0.25), std::hypot(1, 0.75)},
                                      SurfacePoint::on_edge(s, edge_of(h), 0.25));
     EXPECT_EQ(t->head(h), m);
@@ -256,7 +257,7 @@ TEST(SignpostTriangulation, SplitsAfterALookAreSeen) {
     const auto corners = s.corners(FaceId{7});
     std::array<double, 3> lengths{};
     for (std::size_t k = 0; k < 3; ++k) {
-      // The right angle's corner is nearest to the centre of the face.
+      // The corner with the right angle is nearest to the centre of the face.
       lengths[k] = corners[k].index() == 7 ? half : third;
     }
     const VertexId c =

@@ -28,7 +28,7 @@ std::vector<double> lengths_of(SignpostTriangulation& t, const std::vector<EdgeP
   return lengths;
 }
 
-/// Heights of the vertices and the length of a curve in the metric that they lift.
+/// The height of a vertex. The heights lift the metric.
 double height(const Point& p) { return std::sin(1.3 * p[0]) + std::cos(0.7 * p[1]) * p[0] / 4; }
 
 double lifted_length(const Surface& s, const std::vector<Point>& points,
@@ -112,7 +112,7 @@ TEST(Trace, PlanarEdgesAreStraightLines) {
       }
       EXPECT_NEAR(length_of(s, mesh.points, curve), norm(d), 1e-12);
     }
-    // The same again: nothing of the first trace is left behind.
+    // A second trace finds nothing left of the first.
     EXPECT_EQ(tracer.trace_and_undo({}).curves.size(), 0U);
   }
 }
@@ -152,8 +152,9 @@ TEST(Trace, CurvedEdgesKeepTheirLengths) {
 }
 
 /// Follows a traced edge of a Δ-complex from one corner, unfolding triangle by triangle. Faces can
-/// meet themselves, so several ways may fit the crossed edges: true if one of them ends at `to`
-/// straight, `length` away, with every crossing where the trace put it.
+/// be glued to themselves, so several strips may fit the crossed edges. The check succeeds if one
+/// of the strips ends at `to`, straight, at distance `length`, with every crossing at the traced
+/// place.
 class Unfolding {
  public:
   Unfolding(SignpostTriangulation& t, const SurfaceCurve& curve, double length)

@@ -1,4 +1,4 @@
-// Straight walks and lines through strips, against the plane, cones and each other.
+// Straight walks and lines through strips, against the plane, cones, and each other.
 #include "talweg/intrinsic/lines/strip_line.hpp"
 
 #include <cmath>
@@ -36,7 +36,7 @@ FaceCoordinates anywhere(const Surface& surface, Random& random) {
 
 PlanePoint direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// A way of straight legs, each in any direction and at most `longest` long.
+/// A random way of straight legs, each of length at most `longest`.
 struct Way {
   FaceCoordinates from, to;
   FaceStrip strip;
@@ -53,7 +53,7 @@ Way any_way(const Surface& surface, Random& random, int legs, double longest) {
   return way;
 }
 
-/// A flat surface seen from above: the direction of a face's first side.
+/// The direction in the plane of a direction in the frame of a face, on a flat mesh.
 PlanePoint in_plane(const test::TestMesh& mesh, const Surface& surface, FaceId face, PlanePoint d) {
   const auto corners = surface.corners(face);
   const test::Point side = mesh.points[corners[1].index()] - mesh.points[corners[0].index()];
@@ -62,7 +62,8 @@ PlanePoint in_plane(const test::TestMesh& mesh, const Surface& surface, FaceId f
   return d.x * x + d.y * turned_left(x);
 }
 
-/// A fan around vertex 0 with this angle in all; spokes of length 1. Closed, or open at spoke 1.
+/// A fan around vertex 0 with a total angle; spokes of length 1. The fan is closed, or open at
+/// spoke 1.
 Surface fan(std::size_t faces, double angle, bool closed) {
   std::vector<Triangle> triangles;
   const std::size_t rim = closed ? faces : faces + 1;
@@ -92,7 +93,7 @@ FaceCoordinates on_fan(std::size_t faces, double whole, double radius, double an
   return {FaceId{face}, {1 - b - c, b, c}};
 }
 
-/// Counterclockwise around the fan from one point to the other.
+/// The strip counterclockwise around the fan from one face to another.
 FaceStrip around(const Surface& surface, FaceId from, FaceId to) {
   FaceStrip strip;
   for (FaceId face = from; face != to;) {

@@ -1,5 +1,5 @@
-// Fans of needles, caps, folds without width, lengths that are no triangle's: in each the surface
-// is a piece of the plane but for rounding, so the straightened path is known.
+// Fans of needles, caps, folds of no width, and lengths that violate the triangle inequality. Up to
+// rounding each surface is a piece of the plane, so the straightened path is known.
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -21,7 +21,7 @@ struct Straightened {
   std::size_t clamped = 0;
 };
 
-/// Straightens and traces; everything must hold that holds on any surface.
+/// Straightens and traces a path, and checks the invariants of every surface.
 Straightened straighten(const TestMesh& mesh, const Surface& s,
                         const std::vector<std::size_t>& through) {
   SignpostTriangulation t(s);
@@ -39,8 +39,8 @@ Straightened straighten(const TestMesh& mesh, const Surface& s,
   return {result.paths[0].length_after, std::move(traced.curves[0]), traced.clamped};
 }
 
-/// A disc: the hub, and a rim of 12 points and `needles` more between the first two of them, in two
-/// bundles so narrow that each needle is 1 long and 1 / aspect wide.
+/// A disc: the hub, 12 rim points, and `needles` rim points between the first two of them in two
+/// narrow bundles. A needle is 1 long and 1 / aspect wide.
 TestMesh fan(std::size_t needles, double aspect, std::size_t& middle) {
   std::vector<double> angles;
   for (std::size_t k = 0; k < 12; ++k) {
@@ -48,7 +48,7 @@ TestMesh fan(std::size_t needles, double aspect, std::size_t& middle) {
     if (k != 1) continue;
     for (std::size_t i = 0; i < needles; ++i) {
       angles.push_back(angles[1] + static_cast<double>(i + 1) / aspect);
-      if (i == needles / 2) middle = angles.size();  // after the hub
+      if (i == needles / 2) middle = angles.size();  // counted after the hub
     }
   }
   TestMesh mesh;
@@ -65,7 +65,7 @@ TEST(DegenerateTriangles, FansOfNeedles) {
       std::size_t middle = 0;
       const TestMesh mesh = fan(needles, aspect, middle);
       const Surface s = surface_of(mesh);
-      // Over the hub, past all needles: a chord. From within the bundle to the other side, too.
+      // Past all needles over the hub: a chord. Also from within the bundle to the other side.
       const std::size_t last = 3 + needles;
       const std::pair<std::size_t, std::size_t> ends[] = {{1, last}, {middle, 4 + needles}};
       for (const auto& [from, to] : ends) {
@@ -79,7 +79,7 @@ TEST(DegenerateTriangles, FansOfNeedles) {
 }
 
 TEST(DegenerateTriangles, PathsAlongTheRimOfNeedles) {
-  // Through every point of the bundle's rim, each step 1 / aspect long.
+  // A path through every rim point of the bundle, in steps of length 1 / aspect.
   for (const double aspect : {1e6, 1e9, 1e12}) {
     std::size_t middle = 0;
     const std::size_t needles = 300;
@@ -94,8 +94,8 @@ TEST(DegenerateTriangles, PathsAlongTheRimOfNeedles) {
 }
 
 TEST(DegenerateTriangles, Caps) {
-  // Every second vertex of each inner row lies 1e-9 off the straight line of its neighbours, so the
-  // triangle on one side of it has an angle of pi - 2e-9.
+  // A cap vertex lies `off` above the segment between two vertices of the low row, so the triangle
+  // below it has an angle close to pi.
   for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 0.0}) {
     TestMesh mesh;
     const std::size_t n = 24;  // rows of n + 1 at height 0, and of n in between
@@ -113,7 +113,7 @@ TEST(DegenerateTriangles, Caps) {
       mesh.triangles.push_back({cap(k), top(k + 1), top(k)});
     }
     const Surface s = surface_of(mesh);
-    // Up, along the caps, and down again; and from corner to corner.
+    // Up, along the caps, and down; and from corner to corner.
     std::vector<std::size_t> along = {top(0)};
     for (std::size_t k = 0; k < n; ++k) {
       along.push_back(cap(k));
@@ -130,8 +130,8 @@ TEST(DegenerateTriangles, Caps) {
 }
 
 TEST(DegenerateTriangles, PleatsOfNextToNoWidth) {
-  // A sheet of which every third column is folded back and forth by w: three layers there. Unrolled
-  // it is a wider sheet. (Edges of no length at all get one when a mesh is opened.)
+  // Every third column of a sheet is folded back and forth by w, which gives three layers there.
+  // The unrolled sheet is wider. (Opening a mesh gives edges of zero length a length.)
   for (const double w : {1e-3, 1e-6, 1e-9, 1e-12}) {
     const std::size_t nx = 18, ny = 6;
     TestMesh mesh = grid(nx, ny);
@@ -156,7 +156,8 @@ TEST(DegenerateTriangles, PleatsOfNextToNoWidth) {
 }
 
 TEST(DegenerateTriangles, LengthsThatViolateTheTriangleInequalityByRounding) {
-  // Vertices in a row: each long side is as long as the two others but for a few ulp, up or down.
+  // Vertices on a line: each long side has the length of the other two sides up to a few ulp, more
+  // or less.
   Random random(5);
   for (int run = 0; run < 200; ++run) {
     const TestMesh flat = grid(8, 8);
@@ -174,7 +175,7 @@ TEST(DegenerateTriangles, LengthsThatViolateTheTriangleInequalityByRounding) {
       way.push_back(k * 9 + k);
     }
     const Straightened r = straighten(mesh, s, way);
-    EXPECT_NEAR(r.length, 8, 1e-13 * 8);  // from one end of the line to the other
+    EXPECT_NEAR(r.length, 8, 1e-13 * 8);  // the length of the line
   }
 }
 

@@ -74,7 +74,7 @@ TEST(SurfacePoint, BarycentricsWithinToleranceCountAsZero) {
   const SurfacePoint inner = SurfacePoint::from_barycentric(s, f, {0.5, 0.5 - 1e-9, 1e-9});
   EXPECT_TRUE(std::holds_alternative<InFace>(inner.where()));
   EXPECT_TRUE(SurfacePoint::from_barycentric(s, f, {0.98, 0.01, 0.01}, 0.05).is_vertex());
-  // Coordinates that no tolerance takes away, beside a 1 that swallows them.
+  // Coordinates below the rounding of 1, with a tolerance of 0.
   EXPECT_NO_THROW(SurfacePoint::from_barycentric(s, f, {1, 1e-20, 1e-20}, 0));
   EXPECT_NO_THROW(SurfacePoint::from_barycentric(s, f, {1, 1e-20, 0}, 0));
   expect_refused([&] { SurfacePoint::from_barycentric(s, f, {0.5, 0.6, -0.1}); });

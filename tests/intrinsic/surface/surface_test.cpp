@@ -35,7 +35,7 @@ std::string refused_gluing(std::size_t vertices, const std::vector<Triangle>& tr
   return bad_mesh([&] { Surface::from_gluing(vertices, triangles, gluing); });
 }
 
-/// Every rule that connectivity has to keep.
+/// Expects all invariants of the connectivity.
 void expect_consistent(const Surface& s) {
   for (std::size_t i = 0; i < s.halfedge_count(); ++i) {
     const HalfedgeId h{i};
@@ -146,11 +146,11 @@ TEST(Surface, EmptySurface) {
   EXPECT_EQ(components_of(s).count, 0U);
 }
 
-TEST(Surface, RefusesWhatIsNoSurface) {
+TEST(Surface, RefusesFacesThatAreNoSurface) {
   EXPECT_NE(refused(3, {{0, 1, 3}}).find("vertex 3"), std::string::npos);
   EXPECT_NE(refused(4, {{0, 1, 2}, {2, 1, 1}}).find("Face 1 uses a vertex twice"),
             std::string::npos);
-  // Three faces on the edge 0-1, one of them in the direction of another.
+  // Three faces at the edge 0-1, two of them with the same direction.
   const std::string three = refused(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
   EXPECT_NE(three.find("vertices 0 and 1"), std::string::npos) << three;
   // Two faces that run along 0-1 in the same direction.
@@ -214,7 +214,7 @@ TEST(Surface, RefusesBadGluing) {
   EXPECT_NE(refused_gluing(4, pair, {4, no, no, no, 0, no}).find("join other vertices"),
             std::string::npos);
   EXPECT_NE(refused_gluing(3, pair, {3, no, no, 0, no, no}).find("vertex 3"), std::string::npos);
-  // Not glued, so there are two fans at vertices 0 and 1.
+  // Without gluing there are two fans at vertices 0 and 1.
   EXPECT_NE(refused_gluing(4, pair, {no, no, no, no, no, no}).find("fan"), std::string::npos);
 }
 
@@ -226,7 +226,7 @@ TEST(Surface, RandomGluingsAreConsistent) {
   }
 }
 
-TEST(Surface, RefusesLengthsThatAreNone) {
+TEST(Surface, RefusesInvalidLengths) {
   Surface s = surface_of(tetrahedron());
   EXPECT_NE(bad_mesh([&] { s.set_lengths({1, 2}); }).find("6 edges"), std::string::npos);
   for (const double bad :

@@ -36,7 +36,7 @@ TEST(Triangle, NearlyFlatTriangles) {
   // Legs 1, base 2 - h: sin(half the angle) = 1 - h/2, so pi minus the angle is 4 asin(√h / 2).
   for (const double wanted : {1e-3, 1e-9, 1e-13}) {
     const double base = 2 - wanted;
-    const double h = 2 - base;  // what rounding left of it
+    const double h = 2 - base;  // the rounded value of h
     EXPECT_NEAR(kPi - angle_between(1, 1, base), 4 * std::asin(std::sqrt(h) / 2), 1e-15);
   }
 }
@@ -88,7 +88,7 @@ TEST(Triangle, Area) {
   }
 }
 
-TEST(Triangle, ApexIsWhereItsDistancesSay) {
+TEST(Triangle, ApexHasTheGivenDistances) {
   Random random(2);
   for (int k = 0; k < 1000; ++k) {
     const double base = random.uniform(0.1, 2), x = random.uniform(-3, 3), y = random.uniform(0, 3);

@@ -1,4 +1,4 @@
-// Arrays that begin as zeros.
+// Arrays that begin with zeros.
 #include "talweg/intrinsic/surface/zeroed_memory.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ TEST(ZeroedMemory, BeginsAsZerosAndKeepsValuesWhenItGrows) {
   EXPECT_EQ(copy, values);
 }
 
-TEST(ZeroedMemory, WhatIsAppendedWithAValueHasIt) {
+TEST(ZeroedMemory, AppendedElementsHaveTheirValue) {
   ZeroedVector<std::uint32_t> values(10, 5);
   values.resize(2);
   values.resize(6, 0);
