@@ -54,7 +54,7 @@ class CurveFairing {
   void give_up_beyond(double length) { most_length_ = length; }
   /// Whether a chain was given up because it passes too many faces; other chains in this band
   /// would, too.
-  [[nodiscard]] bool is_lost() const { return lost_; }
+  [[nodiscard]] bool passes_too_many_faces() const { return passes_too_many_faces_; }
   /// A fair chain that starts from a curve; none where samples cannot be joined, or the chain is
   /// given up.
   std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
@@ -63,7 +63,7 @@ class CurveFairing {
   std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
   /// The chain sampled again and faired, if its joins are too uneven for another start; none if
   /// they are even, or where samples cannot be joined.
-  std::optional<SampleChain> evened(const SampleChain& chain, Asker& asker);
+  std::optional<SampleChain> resampled(const SampleChain& chain, Asker& asker);
   /// Whether no sample lies beyond a wall.
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
   /// The largest distance of a curve to the drawing, relative to the wall there.
@@ -85,7 +85,7 @@ class CurveFairing {
   [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
   void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
-  std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
+  std::optional<SampleChain> with_freed(SampleChain chain, Asker& asker);
   [[nodiscard]] bool is_held(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double farthest(const SampleChain& chain) const;
   [[nodiscard]] double in_walls(const SurfacePoint& point) const;
@@ -107,7 +107,7 @@ class CurveFairing {
   LegTension legs_;
   double tension_ = 0;  // of the legs, in the last run; 1 / mesh units²
   double most_length_ = HUGE_VAL;
-  bool lost_ = false;
+  bool passes_too_many_faces_ = false;
 };
 
 }  // namespace talweg

@@ -100,7 +100,7 @@ std::vector<std::size_t> stretches_along(const std::vector<SurfacePoint>& fixed,
 }
 
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve,
-                                 double relative) {
+                                 double length_exponent) {
   LegStart start;
   start.fixed = places_of(legs.fixed, curve);
   if (start.fixed.empty()) return std::nullopt;
@@ -109,7 +109,7 @@ std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curv
   const auto first = static_cast<std::size_t>(
       std::min_element(start.fixed.begin(), start.fixed.end()) - start.fixed.begin());
   std::sort(start.fixed.begin(), start.fixed.end());
-  start.tension.relative = relative;
+  start.tension.length_exponent = length_exponent;
   for (std::size_t k = 0; k < m; ++k) {
     start.tension.tolerances.push_back(legs.tolerances[(first + k) % m]);
   }

@@ -213,7 +213,7 @@ double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) cons
     const std::size_t c = group.joined.parts[k].curve;
     const BandWidth width = width_of(c, taus[k], 1);
     const double slack = std::max(largest_slack((*valleys_)[c]), width.least_slack);
-    widest = std::max(widest, std::min(width.walls * slack, width.most));
+    widest = std::max(widest, std::min(width.wall_in_slacks * slack, width.largest_wall));
   }
   return widest;
 }
@@ -222,16 +222,16 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
                                 const LegTension& legs, Asker& asker,
                                 const std::function<void(CurveFairing&)>& use) {
   const AskedDuring asked(*distance_, asker);
-  const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
+  const auto centering = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
-  options.middle *= middle(taus.front());
+  options.centering *= centering(taus.front());
   std::vector<BandCurve> curves;
   bool all_legs = true;
   double begin = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
     BandWidth width = width_of(c, taus[k], narrower);
-    if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
+    if (taus[k] != taus.front()) width.centering = centering(taus[k]) / centering(taus.front());
     curves.push_back({c, width, begin, group.joined.parts[k].reversed});
     begin += drawing_->drawing().measures()[c].length;
     all_legs = all_legs && drawing_->legs()[c].all();
@@ -282,13 +282,13 @@ bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const Sample
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::evened(const FairGroup& group, const Taus& taus,
+std::optional<SampleChain> CorridorHold::resampled(const FairGroup& group, const Taus& taus,
                                                 const SampleChain& chain,
                                                 const Progress& progress) {
   Asker asker(progress, "fair");
   std::optional<SampleChain> result;
   with_fairing(group, taus, 1, {}, asker,
-               [&](CurveFairing& fairing) { result = fairing.evened(chain, asker); });
+               [&](CurveFairing& fairing) { result = fairing.resampled(chain, asker); });
   return result;
 }
 

@@ -74,7 +74,7 @@ class CorridorHold {
   bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
               const Progress& progress);
   /// The chain sampled anew if its samples are too uneven to lead on to another tau.
-  std::optional<SampleChain> evened(const FairGroup& group, const Taus& taus,
+  std::optional<SampleChain> resampled(const FairGroup& group, const Taus& taus,
                                     const SampleChain& chain, const Progress& progress);
   /// A chain for some tau that leads to one for another.
   struct AtTaus {

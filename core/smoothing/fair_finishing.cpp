@@ -7,7 +7,7 @@
 
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/curve_fairing.hpp"
-#include "talweg/core/fairing/fair_verdict.hpp"
+#include "talweg/core/fairing/fair_measures.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
@@ -22,7 +22,7 @@ constexpr std::size_t kFromTaut = 1;           // the try that starts there
 constexpr std::size_t kTries = std::size(kBands), kBent = kTries + 1, kGivenUp = kTries + 2;
 constexpr double kNoBending = 1e-4;
 
-/// c of a spline's legs: see LegTension::relative. Below the least one it would swing out widely
+/// c of a spline's legs: see LegTension::length_exponent. Below the least one it would swing out widely
 /// where its legs turn sharply.
 double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // of the tries of splines
@@ -120,7 +120,7 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
     set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], asker_));
     return;
   }
-  if (any_legs && !turns_by(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
+  if (any_legs && !total_turn_reaches(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
                             hold_->drawing().corners())) {  // they are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
@@ -179,7 +179,7 @@ void FairFinishing::make_fair(std::size_t number) {
     attempt.tries = kBent;
   }
   const FairGroup group = attempt.group;  // more attempts may come
-  const auto curves = parted(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
+  const auto curves = split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;
@@ -278,7 +278,7 @@ void FairFinishing::make_fair_apart(const FairGroup& group) {
 bool FairFinishing::is_straight(Attempt& attempt) {
   const Taut& own = taut(attempt);
   return own.is_close &&
-         !turns_by(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
+         !total_turn_reaches(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
 }
 
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
@@ -297,7 +297,7 @@ bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
   constexpr double kHeld = 1.0 / 8;  // of the length
   const EmbeddedDrawing& drawing = hold_->drawing();
   return hold_->largest_wall(group, taus) <= kHeld * group.length &&
-         is_gentle(drawing.surface(), curve, drawing.corners(), group.edge);
+         is_clearly_fair(drawing.surface(), curve, drawing.corners(), group.edge);
 }
 
 /// The fair curve of one try: from the chain, then from the taut curve, then from the drawing in
@@ -312,7 +312,7 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   if (any_legs) {
     legs = leg_start(drawing, group, taut(attempt).curve, tension_of(taus.front()));
     if (!legs) return std::nullopt;
-    legs->tension.stronger = attempt.tighter;
+    legs->tension.factors = attempt.tighter;
   } else if (attempt.tries == kFromTaut && !taut(attempt).is_close) {
     return std::nullopt;
   }
@@ -320,8 +320,8 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   if (result && !any_legs && needs_no_taut(group, taus, *result)) return result;
   if (!any_legs && is_straight(attempt)) return taut(attempt).curve;
   std::vector<SurfacePoint> bad;
-  if (result && is_pressed(surface, *result, taut(attempt).curve)) {
-    bad = pressed_points(surface, *result, taut(attempt).curve);
+  if (result && has_more_boundary_points(surface, *result, taut(attempt).curve)) {
+    bad = boundary_points_of(surface, *result, taut(attempt).curve);
   } else if (result && bends_more(attempt, *result)) {
     bad = bends_more_at(attempt, *result);
     if (!any_legs && !attempt.bent) attempt.bent = result;
@@ -352,7 +352,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
     };
     const auto own =
         !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
-    if (fairing.is_lost()) attempt.tries = kTries - 1;
+    if (fairing.passes_too_many_faces()) attempt.tries = kTries - 1;
     if (!own) return;
     auto fair = fairing.curve_of(*own, asker_);
     if (fair && fair->farthest <= 1) result = std::move(fair->curve);

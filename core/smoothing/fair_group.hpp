@@ -40,6 +40,6 @@ bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group);
 /// Where the straightened curve of a group has its legs; none where it does not pass their ends in
 /// their order. O(points).
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,
-                                  const SurfaceCurve& taut, double relative);
+                                  const SurfaceCurve& taut, double length_exponent);
 
 }  // namespace talweg

@@ -77,7 +77,7 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
     const Rung& towards = this->rung(number, next, hold, taut, progress);
     if (towards.chain) {
       rung.chain = hold.fair_from(group, taus, *towards.start(), rung.trail, progress);
-      if (rung.chain) rung.onward = hold.evened(group, taus, *rung.chain, progress);
+      if (rung.chain) rung.onward = hold.resampled(group, taus, *rung.chain, progress);
       if (rung.onward && !hold.stands(group, taus, *rung.chain, progress)) {
         rung.chain.swap(rung.onward);
         rung.onward.reset();
