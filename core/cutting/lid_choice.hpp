@@ -26,12 +26,12 @@ class LidChooser {
   /// they are on one part.
   LidChooser(const std::vector<Point>& points, LidClearance& clearance,
              std::function<std::uint32_t(std::uint32_t)> origin,
-             std::span<const CutMesh::Chain> chains, Asker& asker)
+             std::span<const CutMesh::Chain> chains, ProgressPoller& poller)
       : points_(points),
         clearance_(clearance),
         origin_(std::move(origin)),
         chains_(chains),
-        asker_(asker) {}
+        poller_(poller) {}
 
   /// Chooses a lid over one rim, or over a plane rim and the holes in it, and places it. Throws
   /// Cancelled.
@@ -62,7 +62,7 @@ class LidChooser {
   LidClearance& clearance_;
   std::function<std::uint32_t(std::uint32_t)> origin_;
   std::span<const CutMesh::Chain> chains_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<Twin> made_;  // in the order of their numbers
 
   // For the rims that are being closed.

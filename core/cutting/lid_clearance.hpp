@@ -36,10 +36,10 @@ class LidClearance {
  public:
   /// `part_of_face`: the number of the connected part, per face of the piece. The piece must
   /// outlive the object, and its faces must not change. O(faces), and O(k log k) for the k faces
-  /// near rims. The searches for contacts ask `asker`, which must outlive it too, and throw
+  /// near rims. The searches for contacts report to `poller`, which must outlive it too, and throw
   /// Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
-               std::span<const Loop> rims, Asker& asker);
+               std::span<const Loop> rims, ProgressPoller& poller);
 
   /// The part that a rim is on.
   [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
@@ -121,7 +121,7 @@ class LidClearance {
   [[nodiscard]] std::vector<PointTriangle> triangles_of(const Lid& lid) const;
 
   const MeshLists& piece_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   mutable std::size_t faces_seen_ = 0;
   std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // vertices of the rims
   std::set<Chord> edges_;                                  // between vertices of rims

@@ -30,8 +30,8 @@ std::vector<Triangle> fill_loop(const std::vector<Point>& points,
 struct LeftOut {
   std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< for sides that are not on the rim
   std::set<Triangle> triangles;                             ///< by their corners, ascending
-  std::size_t whole = 256;  ///< up to this many points all triangulations are considered
-  Asker* asker = nullptr;   ///< asked whether to go on
+  std::size_t whole = 256;           ///< up to this many points all triangulations are considered
+  ProgressPoller* poller = nullptr;  ///< asked whether to go on
 
   [[nodiscard]] bool has(Triangle triangle) const {
     if (triangles.empty()) return false;

@@ -21,9 +21,9 @@ struct BandWidth {
   double slack = 0;                  ///< ε
   std::span<const double> slack_at;  ///< unless empty, replaces `slack`: ε at each curve point
   double least_slack = 0;            ///< > 0; lower bound of ε
-  double wall_in_slacks = 1.2;                ///< W: distance of the walls from the drawing, in slacks
-  double largest_wall = HUGE_VAL;            ///< upper bound of the distance of the walls
-  double centering = 1;                 ///< factor of FairOptions::centering on this curve
+  double wall_in_slacks = 1.2;       ///< W: distance of the walls from the drawing, in slacks
+  double largest_wall = HUGE_VAL;    ///< upper bound of the distance of the walls
+  double centering = 1;              ///< factor of FairOptions::centering on this curve
 };
 
 /// A curve that is faired, by its number among the curves of the distance.
@@ -41,16 +41,16 @@ struct BandPlace {
   double slack = 0;       ///< ε at the nearest point of the drawing
   double wall = 0;        ///< distance of the walls from the drawing there
   double wall_slope = 0;  ///< derivative of `wall` along the direction
-  double centering = 1;      ///< BandWidth::centering
+  double centering = 1;   ///< BandWidth::centering
   double arc = NAN;       ///< place of the nearest point on the drawn line; NaN at other curves
 };
 
 /// The band of one curve of a PolylineDistance, or of several joined curves: the width at a point
 /// is the width of the nearest of these curves. Where another curve of the distance is nearest, the
 /// narrowest width counts. Refers to the distance. `line` is the drawing of all these curves in
-/// space. Without a line, is_same_strand() is true everywhere and slack_between() is the least slack. Cost
-/// of at(): the drawing's segments in the face and the windows on its sides that are near. The
-/// worst case is thousands of points in one face.
+/// space. Without a line, is_same_strand() is true everywhere and slack_between() is the least
+/// slack. Cost of at(): the drawing's segments in the face and the windows on its sides that are
+/// near. The worst case is thousands of points in one face.
 class DrawnBand {
  public:
   DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)

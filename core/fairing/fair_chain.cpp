@@ -190,7 +190,8 @@ void FairChain::set_rows(const SampleChain& chain) {
     row.weight = (in.length + out.length) / 2;
     const double curvature = chain.turns[i] / row.weight;
     row.rest = curvature - mean;
-    const double before = 1 / (row.weight * in.from_last_bend), after = 1 / (row.weight * out.to_first_bend);
+    const double before = 1 / (row.weight * in.from_last_bend),
+                 after = 1 / (row.weight * out.to_first_bend);
     // A join that bends at a vertex turns about this vertex, so the sample at its other end has no
     // part in the row.
     row.before = in.bends ? 0 : before;
@@ -262,7 +263,8 @@ void FairChain::add_bends(const SampleChain& chain) {
     const ChainJoin& join = chain.joins[i];
     if (!join.bends || !legs_->is_on_leg(join)) continue;
     const std::size_t j = chain.after(i);
-    const double first = 1 / join.to_first_bend, last = 1 / join.from_last_bend, per = 1 / join.length;
+    const double first = 1 / join.to_first_bend, last = 1 / join.from_last_bend,
+                 per = 1 / join.length;
     system_.add(i, i, per * first * first);
     system_.add(j, j, per * last * last);
     if (join.bends_once) system_.add(i, j, per * first * last);
@@ -348,8 +350,8 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
 
 /// Whether a place of a sample is between the walls, in the sample's own part of the band.
 bool FairChain::is_inside(const SampleChain& chain, std::size_t i, const BandPlace& place) const {
-  return place.distance <= place.wall &&
-         (chain.drawn.empty() || std::isnan(place.arc) || band_->is_same_strand(place, chain.drawn[i]));
+  return place.distance <= place.wall && (chain.drawn.empty() || std::isnan(place.arc) ||
+                                          band_->is_same_strand(place, chain.drawn[i]));
 }
 
 /// Holds the samples that are inside and that the step leads outside; true if there are any.
@@ -439,7 +441,7 @@ bool FairChain::stiffen(const SampleChain& chain) {
   return !samples.empty();
 }
 
-void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
+void FairChain::run(SampleChain& chain, SampleTrail* trail, ProgressPoller& poller) {
   stiffness_.resize(chain.size(), options_.stiffness);
   offsets_.resize(chain.size(), 0);
   damping_ = 1e-2;
@@ -450,13 +452,13 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
     passes_too_many_faces_ = passed_ > kMostPassed * chain.size();
     if (passes_too_many_faces_) return;
-    asker.did(chain.size() + chain.crossed.size() / 4);
+    poller.add_work(chain.size() + chain.crossed.size() / 4);
     if (iteration == 0 || has_legs()) {
       balance(chain);
       energies(chain, places_, energies_);
       energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
     }
-    if (asker.ends_early()) return;
+    if (poller.ends_early()) return;
     const double last = energy_;
     if (step(chain, trail)) {
       failed = 0;

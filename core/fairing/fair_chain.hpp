@@ -16,7 +16,7 @@
 namespace talweg {
 
 struct FairOptions {
-  double centering = 1e-3;         ///< β
+  double centering = 1e-3;      ///< β
   double stiffness = 10;        ///< ρ, of the walls
   double felt = 0.8;            ///< distance of the felt walls, relative to the band's walls
   double tolerance = 3e-3;      ///< relative gain in energy below which the run ends
@@ -52,8 +52,8 @@ class FairChain {
 
   /// Makes steps until the energy hardly falls. The chain keeps its number of samples. The ways of
   /// the samples are appended to the trail, unless it is null. Ends early, after a whole step or
-  /// before the first, when the asker's budget is used up. Throws Cancelled.
-  void run(SampleChain& chain, SampleTrail* trail, Asker& asker);
+  /// before the first, when the poller's budget is used up. Throws Cancelled.
+  void run(SampleChain& chain, SampleTrail* trail, ProgressPoller& poller);
   /// Makes the walls stiffer where samples of the chain are beyond the band's walls after run(), or
   /// almost; true if there are such samples.
   bool stiffen(const SampleChain& chain);

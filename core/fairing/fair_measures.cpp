@@ -78,7 +78,7 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 }
 
 bool is_clearly_fair(const Surface& surface, const SurfaceCurve& curve,
-               std::span<const SurfacePoint> corners, double edge) {
+                     std::span<const SurfacePoint> corners, double edge) {
   constexpr double kMost = 30 * std::numbers::pi / 180;  // in one edge length
   double most = 0;
   for_turns_between(surface, curve, corners, [&](const CurveTurns& turns) {
@@ -112,7 +112,7 @@ void look_at_turns(const Surface& surface, const SurfaceCurve& curve,
 }  // namespace
 
 bool total_turn_reaches(double least, const Surface& surface, const SurfaceCurve& curve,
-              std::span<const SurfacePoint> corners) {
+                        std::span<const SurfacePoint> corners) {
   double sum = 0;
   look_at_turns(surface, curve, corners, [&](double turn) { return (sum += turn) < least; });
   return sum >= least;
@@ -128,13 +128,14 @@ double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
   return most;
 }
 
-bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
+bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& curve,
+                              const SurfaceCurve& taut) {
   const std::size_t by_itself = boundary_point_count(surface, taut);
   return by_itself <= 2 && boundary_point_count(surface, curve) > by_itself;
 }
 
 std::vector<SurfacePoint> boundary_points_of(const Surface& surface, const SurfaceCurve& fair,
-                                         const SurfaceCurve& taut) {
+                                             const SurfaceCurve& taut) {
   std::vector<SurfacePoint> points;
   if (!has_more_boundary_points(surface, fair, taut)) return points;
   std::copy_if(fair.points.begin(), fair.points.end(), std::back_inserter(points),

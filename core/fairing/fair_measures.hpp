@@ -18,7 +18,7 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 /// Whether a curve turns by `least` (radians) or more in all, without its turns at corners. Stops
 /// at the point where the sum reaches `least`.
 bool total_turn_reaches(double least, const Surface& surface, const SurfaceCurve& curve,
-              std::span<const SurfacePoint> corners);
+                        std::span<const SurfacePoint> corners);
 
 /// The largest turn at a point of a fair curve that is no corner, radians.
 constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
@@ -30,13 +30,14 @@ double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
 /// Whether a curve is fair without a comparison: between corners it turns little, at each point and
 /// in each window of one `edge` length (mesh units), and only its ends may be at the boundary.
 bool is_clearly_fair(const Surface& surface, const SurfaceCurve& curve,
-               std::span<const SurfacePoint> corners, double edge);
+                     std::span<const SurfacePoint> corners, double edge);
 
 /// Whether a fair curve has more points at the boundary than the taut curve, which has at most two.
-bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& fair, const SurfaceCurve& taut);
+bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& fair,
+                              const SurfaceCurve& taut);
 
 /// The points of a fair curve at the boundary if it has_more_boundary_points(), else none.
 std::vector<SurfacePoint> boundary_points_of(const Surface& surface, const SurfaceCurve& fair,
-                                         const SurfaceCurve& taut);
+                                             const SurfaceCurve& taut);
 
 }  // namespace talweg

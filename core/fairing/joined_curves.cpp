@@ -165,7 +165,8 @@ std::vector<SurfacePoint> junctions(const JoinedCurves& joined,
 }
 
 std::vector<SurfaceCurve> split_at_junctions(const JoinedCurves& joined,
-                                 std::span<const SurfacePoint> junctions, SurfaceCurve curve) {
+                                             std::span<const SurfacePoint> junctions,
+                                             SurfaceCurve curve) {
   std::vector<SurfaceCurve> result;
   if (!joined.is_joined()) {
     result.push_back(std::move(curve));

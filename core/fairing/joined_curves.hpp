@@ -45,6 +45,7 @@ std::vector<SurfacePoint> junctions(const JoinedCurves& joined,
 /// Splits a curve that passes the junctions in order into its parts, each in the direction of its
 /// own curve; a curve alone stays whole.
 std::vector<SurfaceCurve> split_at_junctions(const JoinedCurves& joined,
-                                 std::span<const SurfacePoint> junctions, SurfaceCurve curve);
+                                             std::span<const SurfacePoint> junctions,
+                                             SurfaceCurve curve);
 
 }  // namespace talweg

@@ -15,7 +15,7 @@ struct LegTension {
   /// inserted on it, and does not depend on the unit of length.
   double length_exponent = 0;
   std::vector<bool> is_leg;        ///< per stretch; empty without legs
-  std::vector<double> factors;    ///< per stretch: factor of its tension, >= 1
+  std::vector<double> factors;     ///< per stretch: factor of its tension, >= 1
   std::vector<double> tolerances;  ///< per fixed point, mesh units
   /// The tension t, 1 / mesh units²; replaces the balanced tension c ∫κ² ds / length.
   std::optional<double> tension;

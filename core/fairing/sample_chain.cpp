@@ -345,7 +345,7 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
 /// A fixed sample may have joins in different faces; the freed sample lies in the face of the join
 /// after it.
 std::optional<SampleChain> ChainMaker::with_freed(const SampleChain& chain,
-                                                const std::vector<bool>& freed) {
+                                                  const std::vector<bool>& freed) {
   SampleChain result;
   result.closed = chain.closed;
   result.corners = chain.corners;
@@ -427,13 +427,14 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
 
 /// Appends samples beside a straight piece, on the cubic with the piece's slopes at both ends. Each
 /// inserted sample has its way from the start of the piece.
-bool ChainMaker::insert_beside(const StraightPiece& piece, int parts, std::vector<Inserted>& inserted) {
+bool ChainMaker::insert_beside(const StraightPiece& piece, int parts,
+                               std::vector<Inserted>& inserted) {
   WalkEnd on{piece.from, piece.direction, 0};
   FaceStrip along;
   for (int k = 1; k < parts; ++k) {
     const double u = static_cast<double>(k) / parts;
-    const double y =
-        piece.length * (piece.start_slope * u * (1 - u) * (1 - u) - piece.end_slope * u * u * (1 - u));
+    const double y = piece.length * (piece.start_slope * u * (1 - u) * (1 - u) -
+                                     piece.end_slope * u * u * (1 - u));
     on = walk_straight(*surface_, on.at, on.direction, piece.length / parts, along);
     if (on.walked < 0) return false;
     const PlanePoint side = turned_left(on.direction);
@@ -460,7 +461,8 @@ bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, Samp
   const double m0 = free ? 0 : slope(i, -1), m1 = stop ? 0 : slope(j, 1);
   std::vector<Inserted> inserted;
   if (!join.bends) {
-    const StraightPiece whole{join.from, join.start, join.length, free ? -m1 / 2 : m0, stop ? -m0 / 2 : m1};
+    const StraightPiece whole{join.from, join.start, join.length, free ? -m1 / 2 : m0,
+                              stop ? -m0 / 2 : m1};
     if (!insert_beside(whole, parts, inserted)) return false;
   } else {  // the join turns freely about a vertex
     const StraightPiece first{join.from, join.start, join.to_first_bend, m0, -m0 / 2};

@@ -176,21 +176,21 @@ struct LinkSide {
 class Follower {
  public:
   Follower(const CutMesh& cut, const RegionParts& drawn, std::span<const LabelBorder> borders)
-      : cut_(cut), drawn_(drawn), borders_(borders), heaps_(cut.lists.triangles.size()) {}
+      : cut_(cut), drawn_(drawn), borders_(borders), pieces_(cut.lists.triangles.size()) {}
 
   CutRegions run() {
     gather();
-    name_heaps();
+    name_pieces();
     check_sides();
     check_meetings();
     CutRegions result;
     result.area.assign(drawn_.parts.size(), 0);
-    result.heaps.assign(drawn_.parts.size(), 0);
+    result.pieces.assign(drawn_.parts.size(), 0);
     for (std::uint32_t f = 0; f < cut_.lists.triangles.size(); ++f) {
-      result.part_of_face.push_back(owner_[heaps_.find(f)]);
+      result.part_of_face.push_back(owner_[pieces_.find(f)]);
       const std::uint32_t part = result.part_of_face.back();
       result.area[part] += area_of(cut_.lists, cut_.lists.triangles[f]);
-      if (heaps_.find(f) == f) ++result.heaps[part];
+      if (pieces_.find(f) == f) ++result.pieces[part];
     }
     std::sort(wrong_.begin(), wrong_.end());
     wrong_.erase(std::unique(wrong_.begin(), wrong_.end()), wrong_.end());
@@ -199,7 +199,7 @@ class Follower {
   }
 
  private:
-  /// Joins faces to heaps, and collects the sides of all chains.
+  /// Joins faces to pieces, and collects the sides of all chains.
   void gather() {
     EdgeLists edges(cut_);
     edges.each_edge([&](std::uint32_t low, std::span<const AtEdge> here) {
@@ -210,7 +210,7 @@ class Follower {
         if (at.face != kNoIndex) (at.rising ? rising : falling) = at.face;
       }
       if (chains == 0) {
-        if (rising != kNoIndex && falling != kNoIndex) heaps_.join(rising, falling);
+        if (rising != kNoIndex && falling != kNoIndex) pieces_.join(rising, falling);
         return;
       }
       const double length = (cut_.lists.points[low] - cut_.lists.points[here[0].high]).norm();
@@ -224,11 +224,11 @@ class Follower {
         if (on_right != kNoIndex) sides_.push_back({at.chain, right, on_right, length});
       }
     });
-    for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
+    for (LinkSide& side : sides_) side.face = pieces_.find(side.face);
   }
 
-  /// Each heap gets the part that is named along the greatest length around it.
-  void name_heaps() {
+  /// Each piece gets the part that is named along the greatest length around it.
+  void name_pieces() {
     owner_.assign(cut_.lists.triangles.size(), kNoIndex);
     std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
       return std::tie(a.face, a.part, a.chain) < std::tie(b.face, b.part, b.chain);
@@ -253,8 +253,8 @@ class Follower {
         main_[sides_[i].part] = sides_[i].face;
       }
     }
-    for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // heaps without a border
-      std::uint32_t& owner = owner_[heaps_.find(f)];
+    for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // pieces without a border
+      std::uint32_t& owner = owner_[pieces_.find(f)];
       if (owner == kNoIndex) owner = part_before(f);
     }
   }
@@ -318,10 +318,10 @@ class Follower {
   const CutMesh& cut_;
   const RegionParts& drawn_;
   std::span<const LabelBorder> borders_;
-  UnionFind heaps_;
+  UnionFind pieces_;
   std::vector<LinkSide> sides_;       // `face` represents its heap
   std::vector<std::uint32_t> owner_;  // the part, for each face that represents a heap
-  std::vector<std::uint32_t> main_;   // the heap, per part
+  std::vector<std::uint32_t> main_;   // the pieces, per part
   std::vector<std::size_t> wrong_;
 };
 

@@ -37,7 +37,7 @@ RegionParts parts_of_regions(const SurfaceMesh& mesh, std::span<const std::int64
 struct CutRegions {
   std::vector<std::uint32_t> part_of_face;  ///< per face of the cut mesh
   std::vector<double> area;                 ///< per part, squared mesh units
-  std::vector<std::size_t> heaps;  ///< per part: the number of connected pieces it consists of now
+  std::vector<std::size_t> pieces;  ///< per part: the number of connected pieces it consists of now
   /// Borders (ascending) whose parts have changed: a border that crosses or touches another or
   /// itself away from its ends, that has another part beside it than before, or that lies along a
   /// piece that was separated from its part. If this is empty, each part is there, in one piece,

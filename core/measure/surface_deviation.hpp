@@ -82,7 +82,7 @@ class DeviationMeter {
   std::vector<bool> are_near(std::span<const SurfacePoint> points, std::span<const double> limits,
                              const SurfaceCurve& curve);
 
-  /// What it measures with, for others to use until its next measurement. They take their asker
+  /// What it measures with, for others to use until its next measurement. They take their poller
   /// away again.
   PolylineDistance& distance();
 

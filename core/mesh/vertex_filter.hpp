@@ -45,10 +45,10 @@ class VertexGraph {
 /// Throws Cancelled.
 std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const Point> positions,
-                                            std::span<const double> scales, Asker& asker);
+                                            std::span<const double> scales, ProgressPoller& poller);
 
 /// Replaces each value by the mean of its surroundings, about three edges wide. O(16 · graph).
 /// Throws Cancelled.
-void spread(const VertexGraph& graph, std::vector<double>& values, Asker& asker);
+void spread(const VertexGraph& graph, std::vector<double>& values, ProgressPoller& poller);
 
 }  // namespace talweg

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 
 namespace talweg {
 
@@ -39,6 +39,6 @@ struct FaceLevel {
 /// way to a curve is shorter than the shortest, and each has a convex length, so that crossings of
 /// lines are found exactly. Holes and gaps narrower than half the tolerance may be missed.
 /// O(ways into the face) for each part.
-FaceLevel level_in_face(const WaysIntoFace& ways, const FaceRim& rim, const LevelChoice& choice);
+FaceLevel level_in_face(const FacePaths& paths, const FaceRim& rim, const LevelChoice& choice);
 
 }  // namespace talweg

@@ -14,31 +14,30 @@ bool ends_on_boundary(const Surface& surface, const SurfacePoint& point) {
 }
 
 /// The side of a segment in the face itself: 1 left, -1 right, 0 if the way begins at its end.
-int side_of_segment(const WaysIntoFace& ways, const PolylinePiece& segment,
+int side_of_segment(const FacePaths& paths, const PolylinePiece& segment,
                     const std::array<double, 3>& b) {
-  const PlanePoint p = ways.frames[0].at(segment.from, 0), q = ways.frames[0].at(segment.to, 0);
-  const PlanePoint x = ways.frames[0].at(b, 0);
+  const PlanePoint p = paths.frames[0].at(segment.from, 0), q = paths.frames[0].at(segment.to, 0);
+  const PlanePoint x = paths.frames[0].at(b, 0);
   const double part = dot(x - p, q - p), side = cross(q - p, x - p);
   if (!(part > 0 && part < dot(q - p, q - p)) || side == 0) return 0;
   return side > 0 ? 1 : -1;
 }
 
-int side_of(const WaysIntoFace& ways, const WaysIntoFace::Hit& way,
-            const std::array<double, 3>& b) {
-  if (way.window != nullptr) return way.window->window.sense;
-  return way.segment != nullptr ? side_of_segment(ways, *way.segment, b) : 0;
+int side_of(const FacePaths& paths, const FacePaths::Hit& way, const std::array<double, 3>& b) {
+  if (way.window != nullptr) return way.window->window.arc_sign;
+  return way.segment != nullptr ? side_of_segment(paths, *way.segment, b) : 0;
 }
 
 /// The shortest way, or one as short that begins beside a curve: at a vertex, the way along an edge
 /// is as short as the one through the face.
-WaysIntoFace::Hit sided_hit(const WaysIntoFace& ways, const std::array<double, 3>& b) {
-  const WaysIntoFace::Hit hit = ways.hit(b);
-  if (side_of(ways, hit, b) != 0) return hit;
+FacePaths::Hit sided_hit(const FacePaths& paths, const std::array<double, 3>& b) {
+  const FacePaths::Hit hit = paths.hit(b);
+  if (side_of(paths, hit, b) != 0) return hit;
   const double most =
-      hit.nearest.distance + NearestOnCurve::kSame * std::max(hit.nearest.distance, ways.longest);
-  for (std::size_t i = 3; i < ways.count(); ++i) {
-    const WaysIntoFace::Hit way = ways.way(i, b);
-    if (way.nearest.distance <= most && side_of(ways, way, b) != 0) return way;
+      hit.nearest.distance + NearestOnCurve::kSame * std::max(hit.nearest.distance, paths.longest);
+  for (std::size_t i = 3; i < paths.count(); ++i) {
+    const FacePaths::Hit way = paths.path(i, b);
+    if (way.nearest.distance <= most && side_of(paths, way, b) != 0) return way;
   }
   return hit;
 }
@@ -58,9 +57,9 @@ WayOrigins::WayOrigins(const Surface& surface, std::span<const SurfaceCurve> cur
 
 WayOrigin WayOrigins::of(const FaceCoordinates& at) const {
   constexpr double kEndPart = 1e-12;  // of the curve
-  const WaysIntoFace& ways = distance_->ways_into(at.face, limit_);
-  const WaysIntoFace::Hit hit = sided_hit(ways, at.barycentric);
-  const int side = side_of(ways, hit, at.barycentric);
+  const FacePaths& paths = distance_->paths_into(at.face, limit_);
+  const FacePaths::Hit hit = sided_hit(paths, at.barycentric);
+  const int side = side_of(paths, hit, at.barycentric);
   const NearestOnCurve& nearest = hit.nearest;
   WayOrigin origin{WayOrigin::Kind::kUnknown, nearest.curve, nearest.arc_length, nearest.distance};
   const double length = distance_->curve_length(nearest.curve);

@@ -86,13 +86,13 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
   const std::size_t own = drawing_->surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // inserted vertices lie on the drawing
-      return v.index() < own ? corridor.at_vertex_roughly(v, exact, exactly)
+      return v.index() < own ? corridor.at_vertex_bounded(v, exact, exactly)
                              : std::array<double, 2>{0, 0};
     };
     return lifted_length(length, at(p), at(q));
   };
-  Asker asker(progress, "straighten");
-  const AskedDuring asked(*distance_, asker);
+  ProgressPoller poller(progress, "straighten");
+  const ScopedPoller scoped(*distance_, poller);
   return drawing_->straighten(options, metric, progress);
 }
 
@@ -219,9 +219,9 @@ double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) cons
 }
 
 void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                                const LegTension& legs, Asker& asker,
+                                const LegTension& legs, ProgressPoller& poller,
                                 const std::function<void(CurveFairing&)>& use) {
-  const AskedDuring asked(*distance_, asker);
+  const ScopedPoller scoped(*distance_, poller);
   const auto centering = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
   options.centering *= centering(taus.front());
@@ -249,13 +249,13 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
   const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
-  Asker asker(progress, "fair");
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  ProgressPoller poller(progress, "fair");
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
     if (!is_held) {
-      chain = fairing.from_curve(traced(group, joined(group.joined, taut().curves)), asker);
+      chain = fairing.from_curve(traced(group, joined(group.joined, taut().curves)), poller);
       if (chain && fairing.keeps_within(*chain)) return;
     }
-    auto own = fairing.from_curve(traced(group), asker);
+    auto own = fairing.from_curve(traced(group), poller);
     if (own) chain = std::move(own);
   });
   return chain;
@@ -264,38 +264,38 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
 std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
                                                    const SampleChain& chain, SampleTrail& trail,
                                                    const Progress& progress) {
-  Asker asker(progress, "fair");
+  ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
-               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
+  with_fairing(group, taus, 1, {}, poller,
+               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, poller); });
   return result;
 }
 
 bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
                           const Progress& progress) {
-  Asker asker(progress, "fair");
+  ProgressPoller poller(progress, "fair");
   bool result = false;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
-    const auto curve = fairing.curve_of(chain, asker);
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
+    const auto curve = fairing.curve_of(chain, poller);
     result = curve && curve->farthest <= 1;
   });
   return result;
 }
 
 std::optional<SampleChain> CorridorHold::resampled(const FairGroup& group, const Taus& taus,
-                                                const SampleChain& chain,
-                                                const Progress& progress) {
-  Asker asker(progress, "fair");
+                                                   const SampleChain& chain,
+                                                   const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
-               [&](CurveFairing& fairing) { result = fairing.resampled(chain, asker); });
+  with_fairing(group, taus, 1, {}, poller,
+               [&](CurveFairing& fairing) { result = fairing.resampled(chain, poller); });
   return result;
 }
 
 std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const AtTaus& from,
                                                  const AtTaus& to, const SampleTrail& trail,
                                                  const Taus& taus, const Progress& progress) {
-  Asker asker(progress, "fair");
+  ProgressPoller poller(progress, "fair");
   const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
   ChainMaker maker(drawing_->surface());
   // By how much nearer to the walls that are nearer: 0 is where the walls are, 1 is there.
@@ -314,7 +314,7 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
     return maker.between(from.chain, to.chain, trail, all);
   };
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
     result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
     double out = 0, in = 1;
@@ -336,13 +336,13 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
 std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& curve,
                                                std::span<const SurfacePoint> fixed,
                                                const Progress& progress) {
-  Asker asker(progress, "fair");
+  ProgressPoller poller(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, poller,
                [&](CurveFairing& fairing) {
-                 const auto chain = fairing.from_curve(traced(curve, fixed), asker);
+                 const auto chain = fairing.from_curve(traced(curve, fixed), poller);
                  if (!chain) return;
-                 if (auto faired = fairing.curve_of(*chain, asker))
+                 if (auto faired = fairing.curve_of(*chain, poller))
                    result = std::move(faired->curve);
                });
   return result;
@@ -351,15 +351,15 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
 /// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
 /// the taut one is beyond walls that somebody asked for.
 const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
-                                                 const SurfaceCurve& taut, Asker& asker) {
-  const AskedDuring asked(*distance_, asker);
+                                                 const SurfaceCurve& taut, ProgressPoller& poller) {
+  const ScopedPoller scoped(*distance_, poller);
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   const auto turning = [&](const SurfaceCurve& c) {
     return measure_curve(drawing_->surface(), c).total_curvature;
   };
   const Corridor::Valley& valley = (*valleys_)[curve];
   if (turning(taut) > turning(drawn)) return drawn;
-  if (!valley.given) return taut;
+  if (!valley.slack_from_options) return taut;
   const double edge = drawing_->drawing().edges_near()[curve];
   const DrawnBand band(
       *distance_, curve,

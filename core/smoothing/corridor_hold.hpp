@@ -75,7 +75,7 @@ class CorridorHold {
               const Progress& progress);
   /// The chain sampled anew if its samples are too uneven to lead on to another tau.
   std::optional<SampleChain> resampled(const FairGroup& group, const Taus& taus,
-                                    const SampleChain& chain, const Progress& progress);
+                                       const SampleChain& chain, const Progress& progress);
   /// A chain for some tau that leads to one for another.
   struct AtTaus {
     const Taus& taus;
@@ -94,7 +94,7 @@ class CorridorHold {
 
   /// Calls use() with the fairing of a group, between walls at this part of their distance.
   void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                    const LegTension& legs, Asker& asker,
+                    const LegTension& legs, ProgressPoller& poller,
                     const std::function<void(CurveFairing&)>& use);
   /// The trace of a curve of a group from which fairing starts; that of its drawing knows it.
   [[nodiscard]] CurveTrace traced(const FairGroup& group, const SurfaceCurve& curve) const;
@@ -105,7 +105,8 @@ class CorridorHold {
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   /// What a curve becomes that is_narrow(): the taut curve or the drawing.
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
-                                                   const SurfaceCurve& taut, Asker& asker);
+                                                   const SurfaceCurve& taut,
+                                                   ProgressPoller& poller);
 
  private:
   [[nodiscard]] bool has_lost_all(const SmoothingOptions& options, const Straightened& straight,

@@ -49,8 +49,8 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
 void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
                          const Progress& progress) {
   valleys_ = std::move(valleys);
-  Asker asker(progress, "solve");
-  const AskedDuring asked(memory_->distance(), asker);
+  ProgressPoller poller(progress, "solve");
+  const ScopedPoller scoped(memory_->distance(), poller);
   memory_->distance().set_with_few_windows(near);
 }
 

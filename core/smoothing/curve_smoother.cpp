@@ -250,7 +250,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
                                       const Progress& caller) {
   const Progress progress = within_budget(caller, options);
   try {
-    const Asker asked(progress, "straighten");
+    const ProgressPoller asked(progress, "straighten");
     return drawing_->as_drawn(smooth_ordered(
         ordered_for(curve_options_.method, *drawing_, on_cleaned(options)), given, progress));
   } catch (const Cancelled&) {
@@ -312,7 +312,7 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
   const Drawing own = moved;  // NOLINT: may be our own drawing, which changes
   check_drawn(memory_->surface(), own.curve);
   try {
-    const Asker asked(progress, "straighten");
+    const ProgressPoller asked(progress, "straighten");
     const bool by_stretch =
         sheet_->valleys() != nullptr && curve_options_.way_points.empty() && own.way_points.empty();
     return by_stretch ? drag_now(curve, cleaned_as(curve, own.curve, progress), options, progress)

@@ -22,8 +22,8 @@ constexpr std::size_t kFromTaut = 1;           // the try that starts there
 constexpr std::size_t kTries = std::size(kBands), kBent = kTries + 1, kGivenUp = kTries + 2;
 constexpr double kNoBending = 1e-4;
 
-/// c of a spline's legs: see LegTension::length_exponent. Below the least one it would swing out widely
-/// where its legs turn sharply.
+/// c of a spline's legs: see LegTension::length_exponent. Below the least one it would swing out
+/// widely where its legs turn sharply.
 double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // of the tries of splines
 constexpr const char* kTooLong =
@@ -117,11 +117,11 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
   }
   const bool any_legs = has_legs(hold_->drawing(), group);
   if (hold_->is_narrow(c) && !any_legs) {
-    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], asker_));
+    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
     return;
   }
   if (any_legs && !total_turn_reaches(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
-                            hold_->drawing().corners())) {  // they are fair
+                                      hold_->drawing().corners())) {  // they are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
     }
@@ -142,7 +142,7 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
   if (has_legs(hold_->drawing(), group)) return;
   const double length = curve_length(hold_->drawing().surface(), group.drawn);
   bool too_long = false;
-  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
+  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, poller_,
                       [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
@@ -172,14 +172,15 @@ void FairFinishing::make_fair(std::size_t number) {
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
     ++attempt.tries;
-    ended = !fair && asker_.ends_early();
+    ended = !fair && poller_.ends_early();
   }
   if (!fair && attempt.tries < kBent) {
     fair = std::move(attempt.bent);
     attempt.tries = kBent;
   }
   const FairGroup group = attempt.group;  // more attempts may come
-  const auto curves = split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
+  const auto curves =
+      split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;
@@ -277,8 +278,8 @@ void FairFinishing::make_fair_apart(const FairGroup& group) {
 /// Whether the taut curve does not turn at all, and has lost nothing: it is fair.
 bool FairFinishing::is_straight(Attempt& attempt) {
   const Taut& own = taut(attempt);
-  return own.is_close &&
-         !total_turn_reaches(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
+  return own.is_close && !total_turn_reaches(kNoTurn, hold_->drawing().surface(), own.curve,
+                                             hold_->drawing().corners());
 }
 
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
@@ -340,7 +341,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
   const bool any_legs = has_legs(drawing, group);
   std::optional<SurfaceCurve> result;
   const double band = kBands[attempt.tries];
-  hold_->with_fairing(group, taus, band, legs.tension, asker_, [&](CurveFairing& fairing) {
+  hold_->with_fairing(group, taus, band, legs.tension, poller_, [&](CurveFairing& fairing) {
     const auto start = [&] {
       if (!any_legs) {
         return attempt.tries == kFromTaut ? hold_->traced(group, taut(attempt).curve)
@@ -351,10 +352,10 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
       return trace;
     };
     const auto own =
-        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
+        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), poller_);
     if (fairing.passes_too_many_faces()) attempt.tries = kTries - 1;
     if (!own) return;
-    auto fair = fairing.curve_of(*own, asker_);
+    auto fair = fairing.curve_of(*own, poller_);
     if (fair && fair->farthest <= 1) result = std::move(fair->curve);
   });
   return result;
@@ -364,7 +365,7 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;
-  hold_->with_fairing(group, taus, 1, {}, asker_,
+  hold_->with_fairing(group, taus, 1, {}, poller_,
                       [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
   return within;
 }

@@ -34,7 +34,7 @@ class FairFinishing {
         options_(&options),
         taut_(std::move(taut)),
         progress_(&progress),
-        asker_(progress, "fair") {}
+        poller_(progress, "fair") {}
 
   /// Once; sets the curve of each of `curves`. Throws Cancelled.
   void run(const std::vector<FairGroup>& groups, const FairChains& chains,
@@ -81,7 +81,7 @@ class FairFinishing {
   const SmoothingOptions* options_;
   TautCurves taut_;
   const Progress* progress_;
-  Asker asker_;
+  ProgressPoller poller_;
   std::vector<SmoothedCurve>* curves_ = nullptr;
   std::vector<SurfaceCurve> now_;
   std::optional<CurvesByFace> by_face_;       // those of now_, once they are needed

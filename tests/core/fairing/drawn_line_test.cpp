@@ -91,7 +91,8 @@ TEST(DrawnBand, APlaceNearerToAnotherStrandIsNotItsOwn) {
   EXPECT_NEAR(place(10, 9).arc, 5, 1e-12);
   EXPECT_TRUE(band.is_same_strand(place(10, 9), 5));
   EXPECT_TRUE(band.is_same_strand(place(10, 9), 6));
-  EXPECT_FALSE(band.is_same_strand(place(10, 13), 5));  // the strand above, within the walls of both
+  EXPECT_FALSE(
+      band.is_same_strand(place(10, 13), 5));  // the strand above, within the walls of both
   EXPECT_TRUE(band.is_same_strand(place(10, 13), 37));
   EXPECT_TRUE(band.chord_cuts_off(15, 27));  // the tip
   EXPECT_FALSE(band.chord_cuts_off(0, 20));

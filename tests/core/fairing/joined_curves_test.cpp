@@ -112,8 +112,9 @@ TEST_F(JoinedCurvesTest, CloseARing) {
   const auto alone = groups({open});
   ASSERT_EQ(alone.size(), 1U);
   EXPECT_TRUE(alone[0].is_ring);
-  EXPECT_TRUE(split_at_junctions(alone[0], junctions(alone[0], std::vector{open}), drawn)[0].points ==
-              open.points);
+  EXPECT_TRUE(
+      split_at_junctions(alone[0], junctions(alone[0], std::vector{open}), drawn)[0].points ==
+      open.points);
 }
 
 TEST_F(JoinedCurvesTest, NeedExactlyTwoEndsThatAreFree) {

@@ -581,11 +581,11 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
   for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
     const VertexId v{i};
     const double distance = exact.at_vertex(v).distance;
-    const auto about = rough.at_vertex_roughly(v, kNear);
-    const auto again = late.at_vertex_roughly(v, kNear);  // whatever is known already
+    const auto about = rough.at_vertex_bounded(v, kNear);
+    const auto again = late.at_vertex_bounded(v, kNear);  // whatever is known already
     EXPECT_EQ(about.distance, again.distance);
     EXPECT_EQ(about.arc_length, again.arc_length);
-    EXPECT_EQ(about.distance, rough.at_vertex_roughly(v, kNear).distance);
+    EXPECT_EQ(about.distance, rough.at_vertex_bounded(v, kNear).distance);
     if (distance <= kNear) {
       EXPECT_EQ(about.distance, distance);
       continue;
@@ -595,7 +595,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
     const HalfedgeId first = surface.halfedge(v);
     HalfedgeId h = first;
     do {
-      const double way = rough.at_vertex_roughly(surface.head(h), kNear).distance;
+      const double way = rough.at_vertex_bounded(surface.head(h), kNear).distance;
       if (distance < kFar) {
         EXPECT_LE(about.distance, (way + surface.length(edge_of(h))) * (1 + kExact));
       }
@@ -640,7 +640,7 @@ TEST(PolylineDistance, RoughlyIsAWayAlongEdgesHoweverFar) {
     const std::vector<double> expected = along_edges(surface, distances, near);
     for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
       const VertexId v{(i * 997) % surface.vertex_count()};  // far and near by turns
-      EXPECT_NEAR(rough.at_vertex_roughly(v, near).distance, expected[v.index()], 1e-9);
+      EXPECT_NEAR(rough.at_vertex_bounded(v, near).distance, expected[v.index()], 1e-9);
     }
     EXPECT_LT(4 * rough.window_count(), exact.window_count());
   }
@@ -653,7 +653,7 @@ TEST(PolylineDistance, RoughlyNeedsNoWideBand) {
   rough.set({&curve, 1});
   exact.set({&curve, 1});
   const VertexId away{100 + 201 * 104};
-  EXPECT_GE(rough.at_vertex_roughly(away, 1.5).distance, exact.at_vertex(away).distance);
+  EXPECT_GE(rough.at_vertex_bounded(away, 1.5).distance, exact.at_vertex(away).distance);
   EXPECT_LT(2 * rough.window_count(), exact.window_count());
 }
 

@@ -110,11 +110,11 @@ TEST_F(MarchOnAGrid, ContinuesWhereItWasInterrupted) {
   }
   march_to_the_end(whole);
   int asked = 0;
-  Asker asker([&](const char*, double) { return ++asked % 2 == 1; }, "march");
-  front_.work().ask(&asker);
+  ProgressPoller poller([&](const char*, double) { return ++asked % 2 == 1; }, "march");
+  front_.work().set_poller(&poller);
   int interrupted = 0;
   while (!front_.is_done()) {
-    front_.work().add(Asker::kEvery);  // so that it asks at once
+    front_.work().add(ProgressPoller::kEvery);  // so that it asks at once
     try {
       front_.march();
     } catch (const Cancelled&) {

@@ -1,5 +1,5 @@
 // Ways along the edges of grids, to vertices whose distances are given by hand.
-#include "talweg/intrinsic/exact_distance/edge_ways.hpp"
+#include "talweg/intrinsic/exact_distance/edge_path_distances.hpp"
 
 #include <cmath>
 
@@ -10,14 +10,14 @@
 namespace talweg {
 namespace {
 
-TEST(EdgeWays, LeadToTheBestOfTheVerticesNearEnough) {
+TEST(EdgePathDistances, LeadToTheBestOfTheVerticesNearEnough) {
   const Surface surface = test::surface_of(test::grid(3, 3));
   const auto id = [](std::size_t i, std::size_t j) { return VertexId{i + 4 * j}; };
   VertexDistances known(surface.vertex_count());
   known.lower(id(0, 0), {0, 4, 1});
   known.lower(id(3, 0), {0.5, 5, 2});
   known.lower(id(3, 2), {1.5, 6, 3});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   // Three diagonals to the first, three sides to the second.
   const NearestOnCurve near = ways.shortest(id(3, 3), 1, known, work);
@@ -29,12 +29,12 @@ TEST(EdgeWays, LeadToTheBestOfTheVerticesNearEnough) {
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 2, known, work).distance, 2.5);
 }
 
-TEST(EdgeWays, LeadAcrossManyVertices) {
+TEST(EdgePathDistances, LeadAcrossManyVertices) {
   constexpr std::size_t n = 40;
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   // Along the grid's diagonals as far as possible.
   for (const auto& [i, j] : {std::array<std::size_t, 2>{n, n}, {n, 10}, {0, n}, {30, 35}}) {
@@ -50,27 +50,27 @@ TEST(EdgeWays, LeadAcrossManyVertices) {
   EXPECT_NEAR(ways.shortest(VertexId{(n + 1) * n + n}, 0, known, work).distance, n, 1e-12);
 }
 
-TEST(EdgeWays, AreInfiniteWhereNothingIsKnown) {
+TEST(EdgePathDistances, AreInfiniteWhereNothingIsKnown) {
   test::TestMesh mesh = test::grid(3, 3);
   mesh.points.push_back({9, 9, 9});
   const Surface surface = test::surface_of(mesh);
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   EXPECT_TRUE(std::isinf(ways.shortest(VertexId{16}, 1, known, work).distance));
 }
 
-TEST(EdgeWays, TellTheirWorkAndContinue) {
+TEST(EdgePathDistances, ReportTheirWorkAndContinue) {
   constexpr std::size_t n = 60;
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   bool may = true;
-  Asker asker([&](const char*, double) { return may; }, "ways");
-  work.ask(&asker);
+  ProgressPoller poller([&](const char*, double) { return may; }, "ways");
+  work.set_poller(&poller);
   may = false;
   const VertexId last{(n + 1) * (n + 1) - 1};
   EXPECT_THROW(ways.shortest(last, 0, known, work), Cancelled);
