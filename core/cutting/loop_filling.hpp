@@ -31,7 +31,7 @@ struct LeftOut {
   std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< for sides that are not on the rim
   std::set<Triangle> triangles;                             ///< by their corners, ascending
   std::size_t whole = 256;           ///< up to this many points all triangulations are considered
-  ProgressPoller* poller = nullptr;  ///< asked whether to go on
+  ProgressPoller* poller = nullptr;  ///< null: the search cannot be cancelled
 
   [[nodiscard]] bool has(Triangle triangle) const {
     if (triangles.empty()) return false;

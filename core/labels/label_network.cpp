@@ -473,7 +473,7 @@ LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            const Progress& progress) {
   options.validate();
   try {
-    const ProgressPoller asked(progress, "borders");
+    const ProgressPoller polled(progress, "borders");
     return Network(mesh, labels, options, progress).run();
   } catch (const Cancelled&) {
     LabelNetwork cancelled;

@@ -33,7 +33,7 @@ constexpr int kHalvings = 8;
 
 /// How far out δ must be exact where the valley is narrow: the faces that the curve passes through
 /// lie within the slack plus one edge.
-double CorridorHold::exact_for_walls() const {
+double CorridorSolver::exact_for_walls() const {
   const std::vector<double>& near = drawing_->drawing().edges_near();
   double exact = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) {
@@ -44,14 +44,14 @@ double CorridorHold::exact_for_walls() const {
 }
 
 /// While dragging, all valleys have the tau of the curve that is dragged.
-Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
+Corridor CorridorSolver::corridor(const SmoothingOptions& options) const {
   std::vector<double> taus;
   for (std::size_t c = 0; c < valleys_->size(); ++c) taus.push_back(options.tau_of(c));
   return {*distance_, taus, *valleys_};
 }
 
-Straightened CorridorHold::straighten(const SmoothingOptions& options,
-                                      const std::vector<Walls>& walls, const Progress& progress) {
+Straightened CorridorSolver::straighten(const SmoothingOptions& options,
+                                        const std::vector<Walls>& walls, const Progress& progress) {
   if (drawing_->all_legs()) return straighten_flat(options, progress);
   Straightened result = straighten_lifted(options, walls, progress);
   if (!drawing_->any_legs()) return result;
@@ -74,9 +74,9 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options,
   return result;
 }
 
-Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
-                                             const std::vector<Walls>& walls,
-                                             const Progress& progress) {
+Straightened CorridorSolver::straighten_lifted(const SmoothingOptions& options,
+                                               const std::vector<Walls>& walls,
+                                               const Progress& progress) {
   const Corridor corridor = this->corridor(options);
   std::vector<bool> exactly;
   exactly.reserve(walls.size());
@@ -96,22 +96,22 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
   return drawing_->straighten(options, metric, progress);
 }
 
-Straightened CorridorHold::straighten_flat(const SmoothingOptions& options,
-                                           const Progress& progress) {
+Straightened CorridorSolver::straighten_flat(const SmoothingOptions& options,
+                                             const Progress& progress) {
   return drawing_->straighten_flat(options, progress);
 }
 
 /// Whether the lift would have changed one of the lengths that the straightening used. The ways
 /// from the drawing along those edges bound their distance.
-bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
-                           const Progress& progress) const {
+bool CorridorSolver::is_felt(const Corridor& corridor, const Straightened& flat,
+                             const Progress& progress) const {
   const TouchedEdges edges =
       touched_edges(drawing_->surface(), flat.touched, drawing_->drawing().curves(), progress);
   return !(corridor.largest_lengthening(edges.farthest, edges.shortest) <= kUnfelt);
 }
 
-std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& options,
-                                                   const Progress& progress) {
+std::optional<Straightened> CorridorSolver::unlifted(const SmoothingOptions& options,
+                                                     const Progress& progress) {
   double most = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) most = std::max(most, options.tau_of(c));
   if (most == 0) return straighten_flat(options, progress);
@@ -132,8 +132,8 @@ std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& optio
 }
 
 /// Whether straightening has cut off an open curve as a whole, because its ends lie close together.
-bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
-                                std::size_t curve) const {
+bool CorridorSolver::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
+                                  std::size_t curve) const {
   constexpr double kLost = 0.25;  // of the drawing's length
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   if (drawing_->erases_loops()) return false;  // what they leave is what was meant
@@ -150,7 +150,8 @@ bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straighte
                      [&](const Point& p) { return taut.to(p).distance > far; });
 }
 
-void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const {
+void CorridorSolver::reset_lost_curves(const SmoothingOptions& options,
+                                       Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
     if (!is_faired(options, c)) continue;
     StraightenedPath& path = straight.paths[c];
@@ -163,7 +164,7 @@ void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightene
   }
 }
 
-std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) const {
+std::vector<FairGroup> CorridorSolver::groups(const SmoothingOptions& options) const {
   const auto is_free = [&](std::size_t c) {
     return is_faired(options, c) && (drawing_->legs()[c].any() || !is_narrow(c));
   };
@@ -181,33 +182,33 @@ std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) con
 }
 
 /// The trace of a curve from which fairing starts.
-CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
-                                std::span<const SurfacePoint> fixed) const {
+CurveTrace CorridorSolver::traced(const SurfaceCurve& curve,
+                                  std::span<const SurfacePoint> fixed) const {
   CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
   trace.set_corners(drawing_->corners());
   return trace;
 }
 
-CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curve) const {
+CurveTrace CorridorSolver::traced(const FairGroup& group, const SurfaceCurve& curve) const {
   if (group.junctions.empty()) return traced(curve, drawing_->fixed());
   std::vector<SurfacePoint> fixed = drawing_->fixed();
   fixed.insert(fixed.end(), group.junctions.begin(), group.junctions.end());
   return traced(curve, fixed);
 }
 
-CurveTrace CorridorHold::traced(const FairGroup& group) const {
+CurveTrace CorridorSolver::traced(const FairGroup& group) const {
   CurveTrace trace = traced(group, group.drawn);
   trace.set_drawn();
   return trace;
 }
 
-BandWidth CorridorHold::width_of(std::size_t curve, double tau, double narrower) const {
+BandWidth CorridorSolver::width_of(std::size_t curve, double tau, double narrower) const {
   const Corridor::Valley& valley = (*valleys_)[curve];
   return {valley.slack, valley.slack_at, kLeastSlack * drawing_->drawing().edges_near()[curve],
           narrower * walls_of(tau), valley.apart};
 }
 
-double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) const {
+double CorridorSolver::largest_wall(const FairGroup& group, const Taus& taus) const {
   double widest = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
@@ -218,9 +219,9 @@ double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) cons
   return widest;
 }
 
-void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                                const LegTension& legs, ProgressPoller& poller,
-                                const std::function<void(CurveFairing&)>& use) {
+void CorridorSolver::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+                                  const LegTension& legs, ProgressPoller& poller,
+                                  const std::function<void(CurveFairing&)>& use) {
   const ScopedPoller scoped(*distance_, poller);
   const auto centering = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
@@ -243,9 +244,9 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   use(fairing);
 }
 
-std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   const TautCurves& taut,
-                                                   const Progress& progress) {
+std::optional<SampleChain> CorridorSolver::fair_from(const FairGroup& group, const Taus& taus,
+                                                     const TautCurves& taut,
+                                                     const Progress& progress) {
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
   const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
@@ -261,9 +262,9 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   return chain;
 }
 
-std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   const SampleChain& chain, SampleTrail& trail,
-                                                   const Progress& progress) {
+std::optional<SampleChain> CorridorSolver::fair_from(const FairGroup& group, const Taus& taus,
+                                                     const SampleChain& chain, SampleTrail& trail,
+                                                     const Progress& progress) {
   ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
   with_fairing(group, taus, 1, {}, poller,
@@ -271,8 +272,8 @@ std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const
   return result;
 }
 
-bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
-                          const Progress& progress) {
+bool CorridorSolver::keeps_within_walls(const FairGroup& group, const Taus& taus,
+                                        const SampleChain& chain, const Progress& progress) {
   ProgressPoller poller(progress, "fair");
   bool result = false;
   with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
@@ -282,9 +283,9 @@ bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const Sample
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::resampled(const FairGroup& group, const Taus& taus,
-                                                   const SampleChain& chain,
-                                                   const Progress& progress) {
+std::optional<SampleChain> CorridorSolver::resampled(const FairGroup& group, const Taus& taus,
+                                                     const SampleChain& chain,
+                                                     const Progress& progress) {
   ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
   with_fairing(group, taus, 1, {}, poller,
@@ -292,9 +293,9 @@ std::optional<SampleChain> CorridorHold::resampled(const FairGroup& group, const
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const AtTaus& from,
-                                                 const AtTaus& to, const SampleTrail& trail,
-                                                 const Taus& taus, const Progress& progress) {
+std::optional<SampleChain> CorridorSolver::between(const FairGroup& group, const AtTaus& from,
+                                                   const AtTaus& to, const SampleTrail& trail,
+                                                   const Taus& taus, const Progress& progress) {
   ProgressPoller poller(progress, "fair");
   const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
   ChainMaker maker(drawing_->surface());
@@ -333,9 +334,9 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
   return result;
 }
 
-std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& curve,
-                                               std::span<const SurfacePoint> fixed,
-                                               const Progress& progress) {
+std::optional<SurfaceCurve> CorridorSolver::fair(double tau, const SurfaceCurve& curve,
+                                                 std::span<const SurfacePoint> fixed,
+                                                 const Progress& progress) {
   ProgressPoller poller(progress, "fair");
   std::optional<SurfaceCurve> result;
   with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, poller,
@@ -350,8 +351,9 @@ std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& c
 
 /// In a band too narrow to be faired in: the taut curve, or the drawing where that turns less or
 /// the taut one is beyond walls that somebody asked for.
-const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
-                                                 const SurfaceCurve& taut, ProgressPoller& poller) {
+const SurfaceCurve& CorridorSolver::in_narrow_band(double tau, std::size_t curve,
+                                                   const SurfaceCurve& taut,
+                                                   ProgressPoller& poller) {
   const ScopedPoller scoped(*distance_, poller);
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   const auto turning = [&](const SurfaceCurve& c) {
@@ -369,7 +371,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
 }
 
 /// A band much narrower than the mesh's edges has no room for more than straight lines.
-bool CorridorHold::is_narrow(std::size_t curve) const {
+bool CorridorSolver::is_narrow(std::size_t curve) const {
   return largest_slack((*valleys_)[curve]) < kLeastSlack * drawing_->drawing().edges_near()[curve];
 }
 

@@ -1,4 +1,5 @@
-// The corridor holds curves: they are faired between its walls, or straightened in its potential.
+// The corridor solver fairs curves between the corridor's walls, or straightens them in its
+// potential.
 #pragma once
 
 #include <functional>
@@ -30,10 +31,10 @@ using TautCurves = std::function<const Straightened&()>;
 /// Holds a drawing in its valleys and runs one step of the method at a time, for one tau. Refers to
 /// the objects it is made from; the memory's distance is set to the curves of the valleys. All
 /// functions throw Cancelled. Each costs what it runs, a Straightening or a CurveFairing.
-class CorridorHold {
+class CorridorSolver {
  public:
-  CorridorHold(EmbeddedDrawing& drawing, SmoothingMemory& memory,
-               const std::vector<Corridor::Valley>& valleys)
+  CorridorSolver(EmbeddedDrawing& drawing, SmoothingMemory& memory,
+                 const std::vector<Corridor::Valley>& valleys)
       : drawing_(&drawing), memory_(&memory), distance_(&memory.distance()), valleys_(&valleys) {}
 
   [[nodiscard]] const EmbeddedDrawing& drawing() const { return *drawing_; }
@@ -53,7 +54,7 @@ class CorridorHold {
   /// the potential at the mesh's vertices only, so it collapses these loops whatever tau is.
   /// Fairing measures the distance everywhere, so it starts from the drawing instead. Only for
   /// curves that are faired().
-  void hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
+  void reset_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
   /// Whether a curve is to be fair and is not straight anyway.
   [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
     return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
@@ -71,8 +72,8 @@ class CorridorHold {
                                        const SampleChain& chain, SampleTrail& trail,
                                        const Progress& progress);
   /// Whether the curve of a chain is between its walls.
-  bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
-              const Progress& progress);
+  bool keeps_within_walls(const FairGroup& group, const Taus& taus, const SampleChain& chain,
+                          const Progress& progress);
   /// The chain sampled anew if its samples are too uneven to lead on to another tau.
   std::optional<SampleChain> resampled(const FairGroup& group, const Taus& taus,
                                        const SampleChain& chain, const Progress& progress);

@@ -34,9 +34,9 @@ class CorridorMethod {
   /// Per curve, before options change them.
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
 
-  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(const SmoothingOptions& options, const Progress& progress);
   /// Like smooth(), but in the valleys as they are, without the options' slack and turns.
-  Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
   /// The straightened curves from which fair ones for these options start, in the valleys as they
   /// are.
   std::vector<SurfaceCurve> taut(const SmoothingOptions& options, const Progress& progress);
@@ -46,8 +46,8 @@ class CorridorMethod {
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
-  Smoothed smooth_in(const std::vector<Corridor::Valley>& valleys, const SmoothingOptions& options,
-                     const Progress& progress);
+  DomainResult smooth_in(const std::vector<Corridor::Valley>& valleys,
+                         const SmoothingOptions& options, const Progress& progress);
 
   SmoothingMemory* memory_;
   EmbeddedDrawing* drawing_;

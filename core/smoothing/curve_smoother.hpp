@@ -19,7 +19,7 @@ namespace talweg {
 class Dragging;
 struct CleanedDrawing;
 class OrderedDrawing;
-class Sheet;
+class SmoothingDomain;
 class SmoothingMemory;
 struct GivenPotential;
 
@@ -139,7 +139,7 @@ class CurveSmoother {
   std::unique_ptr<OrderedDrawing> drawing_;  // of what is left of them
   CurveOptions curve_options_;
   double roughness_ = 0;                      // roughness_along() the drawing
-  std::unique_ptr<Sheet> sheet_;              // null where no curve is set
+  std::unique_ptr<SmoothingDomain> domain_;   // null where no curve is set
   std::unique_ptr<Last> last_;                // the last result of smooth(), on the ordered curves
   std::unique_ptr<Dragging> dragging_;        // made when first needed, as is previewer_
   std::unique_ptr<CurveSmoother> previewer_;  // for drag() where a stretch is not enough

@@ -60,7 +60,7 @@ SurfaceCurve about_fixed(const std::vector<SurfacePoint>& fixed, std::size_t poi
 }  // namespace
 
 void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
-                        std::vector<SmoothedCurve>& curves) {
+                        std::vector<CurveResult>& curves) {
   curves_ = &curves;
   now_.resize(curves.size());
   attempt_of_.resize(curves.size());
@@ -70,12 +70,12 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   for (bool again = !curves.empty(); again;) {
     again = false;
     std::vector<bool> done(attempts_.size(), false);
-    for (const std::size_t c : crossing_curves(hold_->drawing().surface(), now_)) {
+    for (const std::size_t c : crossing_curves(solver_->drawing().surface(), now_)) {
       const std::size_t a = attempt_of_[c];
       if (a >= done.size() || done[a] || crosses_as_drawn(c)) continue;
       if (attempts_[a].tries == 0 || attempts_[a].tries == kGivenUp) continue;
       done[a] = true;
-      if (has_legs(hold_->drawing(), attempts_[a].group)) {
+      if (has_legs(solver_->drawing(), attempts_[a].group)) {
         tighten(attempts_[a], crossed_points(c, now_[c]), now_[c]);
       }
       make_fair(a);
@@ -99,11 +99,11 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
 /// Whether a curve that may cross does so no more often than the taut one, or a tenth more than the
 /// drawing: at a crossing, two segments begin.
 bool FairFinishing::crosses_as_drawn(std::size_t curve) {
-  if (!hold_->drawing().may_cross()) return false;
-  if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_().curves);
+  if (!solver_->drawing().may_cross()) return false;
+  if (!taut_by_face_) taut_by_face_.emplace(solver_->drawing().surface(), taut_().curves);
   const std::size_t now = crossed_points(curve, now_[curve]).size();
   return now <= taut_by_face_->crossed_points(curve, taut_().curves[curve]).size() ||
-         now <= 2 * hold_->drawing().crossings() + hold_->drawing().crossings() / 5;
+         now <= 2 * solver_->drawing().crossings() + solver_->drawing().crossings() / 5;
 }
 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
@@ -111,17 +111,18 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
   for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
   attempts_.push_back({group, chain});
   const std::size_t c = group.joined.parts.front().curve;
-  if (!CorridorHold::is_faired(*options_, c)) {
+  if (!CorridorSolver::is_faired(*options_, c)) {
     set(c, taut_().curves[c]);
     return;
   }
-  const bool any_legs = has_legs(hold_->drawing(), group);
-  if (hold_->is_narrow(c) && !any_legs) {
-    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
+  const bool any_legs = has_legs(solver_->drawing(), group);
+  if (solver_->is_narrow(c) && !any_legs) {
+    set(c, solver_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
     return;
   }
-  if (any_legs && !total_turn_reaches(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
-                                      hold_->drawing().corners())) {  // they are fair
+  if (any_legs &&
+      !total_turn_reaches(kNoTurn, solver_->drawing().surface(), taut(attempts_[a]).curve,
+                          solver_->drawing().corners())) {  // they are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
     }
@@ -139,11 +140,11 @@ const FairFinishing::Taut& FairFinishing::taut(Attempt& attempt) {
 }
 
 void FairFinishing::warn_if_too_long(const FairGroup& group) {
-  if (has_legs(hold_->drawing(), group)) return;
-  const double length = curve_length(hold_->drawing().surface(), group.drawn);
+  if (has_legs(solver_->drawing(), group)) return;
+  const double length = curve_length(solver_->drawing().surface(), group.drawn);
   bool too_long = false;
-  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, poller_,
-                      [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
+  solver_->with_fairing(group, taus_of(group, *options_), 1, {}, poller_,
+                        [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
 
@@ -151,13 +152,13 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
 /// has lost nothing. Where walls hold nothing it may lie anywhere.
 bool FairFinishing::is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut) {
   constexpr double kFar = 4;  // walls
-  if (has_legs(hold_->drawing(), group)) return true;
+  if (has_legs(solver_->drawing(), group)) return true;
   if (!keeps_within(group, taus, taut)) return false;
   if (*std::min_element(taus.begin(), taus.end()) < kLeastHeldTau) return true;
-  if (hold_->drawing().erases_loops()) return true;  // what they leave is what was meant
-  const SurfaceMesh& mesh = hold_->drawing().mesh();
+  if (solver_->drawing().erases_loops()) return true;  // what they leave is what was meant
+  const SurfaceMesh& mesh = solver_->drawing().mesh();
   const NearestSegment nearest(segments_of(positions_of(mesh, taut), taut.closed));
-  const double far = kFar * hold_->largest_wall(group, taus);
+  const double far = kFar * solver_->largest_wall(group, taus);
   const std::vector<Point> drawn = positions_of(mesh, group.drawn);
   return std::none_of(drawn.begin(), drawn.end(),
                       [&](const Point& p) { return nearest.to(p).distance > far; });
@@ -199,7 +200,7 @@ void FairFinishing::make_fair(std::size_t number) {
 /// Where a curve of that number would cross itself or the others as they are now.
 std::vector<SurfacePoint> FairFinishing::crossed_points(std::size_t number,
                                                         const SurfaceCurve& curve) {
-  if (!by_face_) by_face_.emplace(hold_->drawing().surface(), now_);
+  if (!by_face_) by_face_.emplace(solver_->drawing().surface(), now_);
   return by_face_->crossed_points(number, curve);
 }
 
@@ -210,7 +211,7 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
 
 /// Whether a curve bends more than what it started from.
 bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const auto bending = [&](const SurfaceCurve& c) {
     return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
@@ -223,7 +224,7 @@ bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
 /// The fixed points about which a curve bends more than the taut one.
 std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
                                                        const SurfaceCurve& curve) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const SurfaceCurve& taut = this->taut(attempt).curve;
   const auto legs = leg_start(drawing, group, taut, 1);
@@ -247,7 +248,7 @@ std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
 void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
                             const SurfaceCurve& curve) {
   const SurfaceCurve& taut = this->taut(attempt).curve;
-  const auto legs = leg_start(hold_->drawing(), attempt.group, taut, 1);
+  const auto legs = leg_start(solver_->drawing(), attempt.group, taut, 1);
   if (!legs) return;
   const std::size_t n = legs->tension.is_leg.size();
   attempt.tighter.resize(n, 1);
@@ -270,24 +271,24 @@ void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
 
 void FairFinishing::make_fair_apart(const FairGroup& group) {
   for (const JoinedCurves::Part& part : group.joined.parts) {
-    const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
-    begin(one, hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
+    const FairGroup one = fair_group(solver_->drawing(), {{{part.curve, false}}});
+    begin(one, solver_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
   }
 }
 
 /// Whether the taut curve does not turn at all, and has lost nothing: it is fair.
 bool FairFinishing::is_straight(Attempt& attempt) {
   const Taut& own = taut(attempt);
-  return own.is_close && !total_turn_reaches(kNoTurn, hold_->drawing().surface(), own.curve,
-                                             hold_->drawing().corners());
+  return own.is_close && !total_turn_reaches(kNoTurn, solver_->drawing().surface(), own.curve,
+                                             solver_->drawing().corners());
 }
 
 /// Whether the taut curve turns as little as a fair one, between the walls; not where it has legs.
 bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
-  if (has_legs(hold_->drawing(), attempt.group)) return false;
-  const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
+  if (has_legs(solver_->drawing(), attempt.group)) return false;
+  const std::vector<SurfacePoint>& corners = solver_->drawing().corners();
   const SurfaceCurve& taut = this->taut(attempt).curve;
-  return largest_turn_between(hold_->drawing().surface(), taut, corners) <= kMostFairTurn &&
+  return largest_turn_between(solver_->drawing().surface(), taut, corners) <= kMostFairTurn &&
          keeps_within(attempt.group, taus, taut);
 }
 
@@ -296,8 +297,8 @@ bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
 bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve) const {
   constexpr double kHeld = 1.0 / 8;  // of the length
-  const EmbeddedDrawing& drawing = hold_->drawing();
-  return hold_->largest_wall(group, taus) <= kHeld * group.length &&
+  const EmbeddedDrawing& drawing = solver_->drawing();
+  return solver_->largest_wall(group, taus) <= kHeld * group.length &&
          is_clearly_fair(drawing.surface(), curve, drawing.corners(), group.edge);
 }
 
@@ -305,7 +306,7 @@ bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
 /// ever narrower bands; with legs from the taut curve, ever tighter. None if it is beyond its walls
 /// or worse than the curve it started from.
 std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& taus) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const Surface& surface = drawing.surface();
   const FairGroup& group = attempt.group;
   const bool any_legs = has_legs(drawing, group);
@@ -336,16 +337,16 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
 /// That curve, if it is between its walls.
 std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& taus,
                                                   const LegStart& legs) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const bool any_legs = has_legs(drawing, group);
   std::optional<SurfaceCurve> result;
   const double band = kBands[attempt.tries];
-  hold_->with_fairing(group, taus, band, legs.tension, poller_, [&](CurveFairing& fairing) {
+  solver_->with_fairing(group, taus, band, legs.tension, poller_, [&](CurveFairing& fairing) {
     const auto start = [&] {
       if (!any_legs) {
-        return attempt.tries == kFromTaut ? hold_->traced(group, taut(attempt).curve)
-                                          : hold_->traced(group);
+        return attempt.tries == kFromTaut ? solver_->traced(group, taut(attempt).curve)
+                                          : solver_->traced(group);
       }
       CurveTrace trace = trace_through(drawing.surface(), taut(attempt).curve, legs.fixed);
       trace.set_corners(drawing.corners());
@@ -365,8 +366,9 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;
-  hold_->with_fairing(group, taus, 1, {}, poller_,
-                      [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
+  solver_->with_fairing(group, taus, 1, {}, poller_, [&](const CurveFairing& fairing) {
+    within = fairing.farthest(curve) <= 1;
+  });
   return within;
 }
 

@@ -28,9 +28,9 @@ namespace talweg {
 /// curves in each round in which some cross.
 class FairFinishing {
  public:
-  FairFinishing(CorridorHold& hold, const SmoothingOptions& options, TautCurves taut,
+  FairFinishing(CorridorSolver& solver, const SmoothingOptions& options, TautCurves taut,
                 const Progress& progress)
-      : hold_(&hold),
+      : solver_(&solver),
         options_(&options),
         taut_(std::move(taut)),
         progress_(&progress),
@@ -38,7 +38,7 @@ class FairFinishing {
 
   /// Once; sets the curve of each of `curves`. Throws Cancelled.
   void run(const std::vector<FairGroup>& groups, const FairChains& chains,
-           std::vector<SmoothedCurve>& curves);
+           std::vector<CurveResult>& curves);
 
  private:
   struct Taut {
@@ -77,12 +77,12 @@ class FairFinishing {
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);
 
-  CorridorHold* hold_;
+  CorridorSolver* solver_;
   const SmoothingOptions* options_;
   TautCurves taut_;
   const Progress* progress_;
   ProgressPoller poller_;
-  std::vector<SmoothedCurve>* curves_ = nullptr;
+  std::vector<CurveResult>* curves_ = nullptr;
   std::vector<SurfaceCurve> now_;
   std::optional<CurvesByFace> by_face_;       // those of now_, once they are needed
   std::optional<CurvesByFace> taut_by_face_;  // the same of the taut curves

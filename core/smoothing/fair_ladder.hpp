@@ -27,13 +27,14 @@ class FairLadder {
   static std::optional<double> rung_of(const SmoothingOptions& options, std::size_t curve);
 
   /// The drawing as the ladder begins: curves that have a rung are straightened at tau = 1.
-  static Straightened straightened(CorridorHold& hold, const SmoothingOptions& options,
+  static Straightened straightened(CorridorSolver& solver, const SmoothingOptions& options,
                                    const Progress& progress);
 
   void clear();
   /// The result for options that have a rung for some curve. Keeps the rungs as long as what the
   /// straightening depends on stays the same. Throws Cancelled.
-  Smoothed smooth(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(CorridorSolver& solver, const SmoothingOptions& options,
+                      const Progress& progress);
 
  private:
   struct Rung {
@@ -54,12 +55,12 @@ class FairLadder {
 
     bool operator==(const Setting&) const = default;
   };
-  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold, const TautCurves& taut,
-                   const Progress& progress);
+  const Rung& rung(std::size_t number, const Taus& taus, CorridorSolver& solver,
+                   const TautCurves& taut, const Progress& progress);
   std::optional<SampleChain> chain(std::size_t number, const SmoothingOptions& options,
-                                   CorridorHold& hold, const TautCurves& taut,
+                                   CorridorSolver& solver, const TautCurves& taut,
                                    const Progress& progress);
-  void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
+  void keep_for(const CorridorSolver& solver, const SmoothingOptions& options);
 
   std::vector<FairGroup> groups_;
   std::vector<std::map<Taus, Rung>> rungs_;  // per group, for what follows

@@ -20,8 +20,8 @@ struct GivenPotential {
 };
 
 /// Straightens in that potential and relaxes. Throws Cancelled.
-Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
-                   const SmoothingOptions& options, const Progress& progress);
+DomainResult smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
+                       const SmoothingOptions& options, const Progress& progress);
 
 /// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance computed by heat
 /// or given. Refers to the objects it is made from. Cost: that of PaperLift once for a drawing,
@@ -38,7 +38,7 @@ class PaperMethod {
   [[nodiscard]] const PaperLift& lift() const { return lift_; }
 
   /// Needs no distance at tau = 0. Throws Cancelled.
-  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(const SmoothingOptions& options, const Progress& progress);
 
  private:
   EmbeddedDrawing* drawing_;

@@ -1,4 +1,4 @@
-// The refined sheet is the part of a mesh around a drawing, with faces as fine as the drawing is.
+// The refined domain is the part of a mesh around a drawing, with faces as fine as the drawing is.
 #pragma once
 
 #include <memory>
@@ -17,14 +17,14 @@ std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawin
 /// Below tau = 1/8 a result may lead anywhere. So it is computed on larger and larger parts of the
 /// mesh, always starting with the first, until it does not touch the boundary where its part was
 /// cut off. That costs only what the result touches, and gives the same result as the whole mesh.
-class RefinedSheet final : public Sheet {
+class RefinedDomain final : public SmoothingDomain {
  public:
   /// Divides the faces and embeds the drawing there.
-  RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
-               const Progress& progress);
+  RefinedDomain(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
+                const Progress& progress);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress) override;
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
 
@@ -34,7 +34,7 @@ class RefinedSheet final : public Sheet {
     RefinedMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;
     OrderedDrawing drawing;
-    std::unique_ptr<Sheet> sheet;
+    std::unique_ptr<SmoothingDomain> domain;
   };
   [[nodiscard]] double reach() const;
   std::unique_ptr<Part> part_within(double reach, const Progress& progress);
@@ -42,9 +42,9 @@ class RefinedSheet final : public Sheet {
                                       std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] std::vector<double> slack_on(const Part& part, std::size_t curve,
                                              const std::vector<double>& drawn) const;
-  Smoothed smooth_on(const Part& part, const SmoothingOptions& options, const GivenPotential* given,
-                     const Progress& progress);
-  [[nodiscard]] Smoothed coarse(const Part& part, Smoothed smoothed) const;
+  DomainResult smooth_on(const Part& part, const SmoothingOptions& options,
+                         const GivenPotential* given, const Progress& progress);
+  [[nodiscard]] DomainResult coarse(const Part& part, DomainResult smoothed) const;
 
   const SurfaceMesh* mesh_;
   const OrderedDrawing* drawing_;

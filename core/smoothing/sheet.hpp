@@ -1,4 +1,5 @@
-// A sheet is the surface on which a drawing is smoothed: the mesh, or one made for the drawing.
+// A smoothing domain is the surface on which a drawing is smoothed: the mesh, or one made for the
+// drawing.
 #pragma once
 
 #include <span>
@@ -19,16 +20,16 @@ namespace talweg {
 /// Moves a drawing from its mesh to the surface where it is smoothed, and results back. Curves,
 /// pins and values that go in and out are on the mesh, in the drawing's order. Every non-const
 /// function throws Cancelled; set_pins() must then be called again.
-class Sheet {
+class SmoothingDomain {
  public:
-  Sheet() = default;
-  virtual ~Sheet() = default;
-  Sheet(const Sheet&) = delete;
-  Sheet& operator=(const Sheet&) = delete;
+  SmoothingDomain() = default;
+  virtual ~SmoothingDomain() = default;
+  SmoothingDomain(const SmoothingDomain&) = delete;
+  SmoothingDomain& operator=(const SmoothingDomain&) = delete;
 
   /// `given`: a potential on the mesh that replaces the method's own; null for none.
-  virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                          const Progress& progress) = 0;
+  virtual DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                              const Progress& progress) = 0;
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
   /// Per curve the corridor's slack where the options give none; empty for the paper's method.
   [[nodiscard]] virtual std::vector<double> slack() const = 0;
@@ -62,6 +63,6 @@ inline CurveOptions options_there(const CurveOptions& options, const PointCopies
 
 /// Whether a result might go on beyond a part of the surface that was cut off at these vertices.
 /// O(points).
-bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
+bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const DomainResult& result);
 
 }  // namespace talweg

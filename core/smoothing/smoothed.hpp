@@ -15,7 +15,7 @@
 
 namespace talweg {
 
-struct SmoothedCurve {
+struct CurveResult {
   SurfaceCurve curve;
   StraightenedPath path;
   bool has_legs = false;                                  ///< may lead far from its drawing there
@@ -27,8 +27,8 @@ struct SmoothedCurve {
   std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
 };
 
-struct Smoothed {
-  std::vector<SmoothedCurve> curves;  ///< one for each curve of the drawing, in their order
+struct DomainResult {
+  std::vector<CurveResult> curves;  ///< one for each curve of the drawing, in their order
   PotentialKind potential = PotentialKind::kPaper;
   Engine engine = Engine::kFull;
   StraighteningCounts counts;
@@ -45,7 +45,7 @@ struct Smoothed {
 };
 
 /// Says in a result what the straightening did that it needed.
-inline void report_straightening(const Straightened& straight, Smoothed& smoothed) {
+inline void report_straightening(const Straightened& straight, DomainResult& smoothed) {
   for (std::size_t c = 0; c < straight.paths.size(); ++c) {
     smoothed.curves[c].path = straight.paths[c];
   }
@@ -55,8 +55,8 @@ inline void report_straightening(const Straightened& straight, Smoothed& smoothe
 }
 
 /// The result of a straightening.
-inline Smoothed smoothed_from(Straightened straight) {
-  Smoothed smoothed;
+inline DomainResult domain_result_from(Straightened straight) {
+  DomainResult smoothed;
   for (SurfaceCurve& curve : straight.curves) {
     smoothed.curves.emplace_back().curve = std::move(curve);
   }
@@ -65,7 +65,7 @@ inline Smoothed smoothed_from(Straightened straight) {
 }
 
 /// Smoothed curves in the order and direction in which the drawing had them.
-inline Smoothed as_drawn(const OrderedDrawing& drawing, Smoothed smoothed) {
+inline DomainResult as_drawn(const OrderedDrawing& drawing, DomainResult smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SurfaceCurve& curve = smoothed.curves[c].curve;
     curve = drawing.in_drawn_direction(c, std::move(curve));

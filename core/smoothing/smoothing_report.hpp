@@ -13,7 +13,7 @@ namespace talweg {
 /// The smoothed curves, which are on the mesh, with a report on each, in the drawing's order. The
 /// total is left to the caller.
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
-                         const SmoothingOptions& options, Smoothed smoothed);
+                         const SmoothingOptions& options, DomainResult smoothed);
 
 /// The drawing as it was drawn, with reports that say that it was not smoothed. The options are
 /// those for the curves as drawn.

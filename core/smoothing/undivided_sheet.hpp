@@ -1,4 +1,4 @@
-// An undivided sheet has the faces of its mesh as they are: the whole mesh, or strips of it.
+// An undivided domain has the faces of its mesh as they are: the whole mesh, or strips of it.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,11 @@ namespace talweg {
 /// paper's distance per mesh vertex, used as it is. Refers to the memory and the drawing. Throws as
 /// embed_curves() does, and Cancelled. Cost: that of embedding the curves and of path_contacts();
 /// of unrolling where it is needed, after which they are embedded again.
-std::unique_ptr<Sheet> undivided_sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                           const CurveOptions& options,
-                                           const std::vector<bool>* fence,
-                                           std::optional<std::vector<double>> distance,
-                                           const Progress& progress);
+std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory,
+                                                      const OrderedDrawing& drawing,
+                                                      const CurveOptions& options,
+                                                      const std::vector<bool>* fence,
+                                                      std::optional<std::vector<double>> distance,
+                                                      const Progress& progress);
 
 }  // namespace talweg

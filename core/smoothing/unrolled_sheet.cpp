@@ -27,9 +27,10 @@ std::string limited_to(double distance) {
 
 }  // namespace
 
-UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                             CurveOptions options, const std::vector<bool>& alone,
-                             std::optional<std::vector<double>> distance, const Progress& progress)
+UnrolledDomain::UnrolledDomain(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                               CurveOptions options, const std::vector<bool>& alone,
+                               std::optional<std::vector<double>> distance,
+                               const Progress& progress)
     : memory_(&memory),
       drawing_(&drawing),
       options_(std::move(options)),
@@ -57,7 +58,7 @@ UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& draw
 /// each time, until a result stays inside. Below tau = 1/8 it may lead anywhere, and its exact
 /// distances cost far more than the strip; so it is held where the strip has many faces. Legs need
 /// no distances.
-void UnrolledSheet::set_reach() {
+void UnrolledDomain::set_reach() {
   constexpr double kOfSlack = 2, kOfEdge = 6;
   const Surface& surface = memory_->surface();
   bool all_free = true;
@@ -72,7 +73,7 @@ void UnrolledSheet::set_reach() {
   most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
 }
 
-std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
+std::unique_ptr<UnrolledDomain::Strips> UnrolledDomain::laid_strips(
     const std::vector<SurfaceCurve>& drawn, const std::vector<bool>& is_ring,
     const Progress& progress) const {
   auto strips = std::make_unique<Strips>();
@@ -85,14 +86,14 @@ std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
   const CurveOptions own = options_on(*strips, curves);
   strips->drawing =
       checked_drawing(strips->memory->mesh(), curves, drawing_->slacks(), own, progress);
-  strips->sheet = std::make_unique<WholeSheet>(
+  strips->domain = std::make_unique<MeshDomain>(
       *strips->memory, strips->drawing, own,
       EmbeddedDrawing::Ground{Loops::kErase, &strips->mesh.at_cut}, progress);
   return strips;
 }
 
 /// Opens the rings whose ends lie on a spike, which has gone. Returns whether there are such.
-bool UnrolledSheet::open_lost_rings(Strips& strips) const {
+bool UnrolledDomain::open_lost_rings(Strips& strips) const {
   const Straightening& straightening = strips.memory->straightening();
   bool any = false;
   for (std::size_t c = 0; c < strips.is_ring.size(); ++c) {
@@ -112,21 +113,21 @@ bool UnrolledSheet::open_lost_rings(Strips& strips) const {
   return any;
 }
 
-void UnrolledSheet::add_strips(const Progress& progress) {
+void UnrolledDomain::add_strips(const Progress& progress) {
   const Stopwatch watch;
   auto strips = laid_strips(curves_, is_ring_, progress);
   if (open_lost_rings(*strips)) strips = laid_strips(strips->drawn, strips->is_ring, progress);
   if (options_.method == Method::kPaper) {
-    strips->sheet->set_distance(copies_of(*strips, {lift_.distance(), 1}));
+    strips->domain->set_distance(copies_of(*strips, {lift_.distance(), 1}));
   } else {
-    strips->sheet->solve(progress);
+    strips->domain->solve(progress);
   }
   strips_.push_back(std::move(strips));
   reach_ *= 2;
   solve_ms_ += watch.ms();
 }
 
-void UnrolledSheet::close_rings() {
+void UnrolledDomain::close_rings() {
   curves_ = drawing_->curves();
   is_ring_.assign(curves_.size(), false);
   if (options_.method != Method::kCorridor || !options_.join_ends) return;
@@ -141,8 +142,8 @@ void UnrolledSheet::close_rings() {
   }
 }
 
-CurveOptions UnrolledSheet::options_on(const Strips& strips,
-                                       std::span<const SurfaceCurve> curves) const {
+CurveOptions UnrolledDomain::options_on(const Strips& strips,
+                                        std::span<const SurfaceCurve> curves) const {
   CurveOptions there = options_there(options_, copies_on(strips, curves));
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (strips.is_ring[c]) there.pins.push_back(curves[c].points.front());
@@ -150,7 +151,7 @@ CurveOptions UnrolledSheet::options_on(const Strips& strips,
   return there;
 }
 
-SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOptions options) const {
+SmoothingOptions UnrolledDomain::options_on(const Strips& strips, SmoothingOptions options) const {
   if (options_.method == Method::kPaper) return with_length_of_mesh(options);
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     if (strips.is_ring[c]) options.slack_at[c].pop_back();
@@ -159,7 +160,7 @@ SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOption
 }
 
 /// Results on the strips in the order of the drawing; rings are open again.
-Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
+DomainResult UnrolledDomain::opened(const Strips& strips, DomainResult smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     if (!strips.is_ring[c]) continue;
     SurfaceCurve& curve = smoothed.curves[c].curve;
@@ -172,7 +173,7 @@ Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
   return smoothed;
 }
 
-std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPotential& given) {
+std::vector<double> UnrolledDomain::copies_of(const Strips& strips, const GivenPotential& given) {
   std::vector<double> copies;
   for (const VertexId v : strips.mesh.vertex_of) {
     const auto values = given.values.subspan(v.index() * given.components, given.components);
@@ -182,7 +183,7 @@ std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPo
 }
 
 /// Of the drawing's points on the strips.
-PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
+PointCopies UnrolledDomain::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
   PointCopies copies;
   for (std::size_t c = 0; c < strips.drawn.size(); ++c) {
     const std::vector<SurfacePoint>& drawn = strips.drawn[c].points;
@@ -191,26 +192,26 @@ PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const Surfa
   return copies;
 }
 
-void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+void UnrolledDomain::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Strips>& strips : strips_) {
-    strips->sheet->set_pins(options_on(*strips, strips->drawing.drawn()).pins, progress);
+    strips->domain->set_pins(options_on(*strips, strips->drawing.drawn()).pins, progress);
   }
 }
 
-std::vector<double> UnrolledSheet::slack() const {
-  const std::vector<double> slack = strips_.front()->sheet->slack();
+std::vector<double> UnrolledDomain::slack() const {
+  const std::vector<double> slack = strips_.front()->domain->slack();
   return slack.empty() ? slack : strips_.front()->drawing.in_drawn_order(slack);
 }
 
-Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
-                               const Progress& progress) {
+DomainResult UnrolledDomain::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                                    const Progress& progress) {
   for (std::size_t k = 0;; ++k) {
     if (k == strips_.size()) add_strips(progress);
     const Strips& strips = *strips_[k];
     SmoothingOptions own = options_on(strips, options);
     own.prepare_whole_mesh = false;  // only what is touched decides
-    Smoothed result = curves_on(strips, own, given, progress);
+    DomainResult result = curves_on(strips, own, given, progress);
     const bool leaves = may_leave(strips.mesh.at_cut, strips.memory->surface(), result);
     const auto may_grow_to = [&](std::size_t faces) {
       return strips.mesh.may_grow && strips.mesh.faces_of_strips <= faces;
@@ -220,7 +221,7 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
       own.prepare_whole_mesh = true;
       result = curves_on(strips, own, given, progress);
     }
-    strips.sheet->measure(own, result, progress);
+    strips.domain->measure(own, result, progress);
     if (bound_deviation(strips, result) && may_grow_to(kFewFaces)) continue;
     if (leaves) result.warnings.push_back(limited_to(strips.mesh.near));
     return folded(strips, as_drawn(strips.drawing, std::move(result)), progress);
@@ -228,19 +229,19 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
 }
 
 /// The result on the strips, not yet measured.
-Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& options,
-                                  const GivenPotential* given, const Progress& progress) {
-  if (given == nullptr) return strips.sheet->curves(options, nullptr, progress);
+DomainResult UnrolledDomain::curves_on(const Strips& strips, const SmoothingOptions& options,
+                                       const GivenPotential* given, const Progress& progress) {
+  if (given == nullptr) return strips.domain->curves(options, nullptr, progress);
   const std::vector<double> values = copies_of(strips, *given);
   const GivenPotential there{values, given->components};
-  return strips.sheet->curves(options, &there, progress);
+  return strips.domain->curves(options, &there, progress);
 }
 
 /// Ways from the drawing that are longer than those on the strips for sure might be shorter on
 /// strips that reach farther. Returns whether there are such.
-bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
+bool UnrolledDomain::bound_deviation(const Strips& strips, DomainResult& result) {
   bool any = false;
-  for (SmoothedCurve& curve : result.curves) {
+  for (CurveResult& curve : result.curves) {
     MeasuredDeviation& deviation = curve.deviation;
     if (deviation.measure != DeviationMeasure::kAlongSurface) continue;
     if (!(deviation.from_drawn_max > strips.mesh.near)) continue;
@@ -253,7 +254,7 @@ bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
 }
 
 /// Sets L to its value on the whole mesh.
-SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& options) const {
+SmoothingOptions UnrolledDomain::with_length_of_mesh(const SmoothingOptions& options) const {
   double drawn_length = 0;
   for (const CurveMeasures& m : drawing_->measures()) drawn_length += m.length;
   double length = 0;
@@ -270,13 +271,13 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
 
 /// One sentence for each pin that no result passes because it lies on a spike or a curl that was
 /// removed.
-std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
+std::vector<std::string> UnrolledDomain::lost_pins(const DomainResult& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
   std::vector<SurfacePoint> pins = options_.pins;
   pins.insert(pins.end(), options_.corners.begin(), options_.corners.end());
   PointLookup passed;
-  for (const SmoothedCurve& curve : smoothed.curves) passed.add_all(curve.curve.points);
+  for (const CurveResult& curve : smoothed.curves) passed.add_all(curve.curve.points);
   for (const SurfacePoint& pin : pins) {
     if (passed.contains(pin)) continue;  // nearly all are
     const auto passes = [&](const SurfacePoint& p) {
@@ -285,7 +286,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
                                               coordinates_in(surface, p, face)) <=
                                  1e-9 * drawing_->edges_near().front();
     };
-    if (std::any_of(smoothed.curves.begin(), smoothed.curves.end(), [&](const SmoothedCurve& c) {
+    if (std::any_of(smoothed.curves.begin(), smoothed.curves.end(), [&](const CurveResult& c) {
           return std::any_of(c.curve.points.begin(), c.curve.points.end(), passes);
         })) {
       continue;
@@ -302,10 +303,11 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
 }
 
 /// Moves results from the strips back to the mesh.
-Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Progress& progress) {
+DomainResult UnrolledDomain::folded(const Strips& strips, DomainResult smoothed,
+                                    const Progress& progress) {
   smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
-  for (SmoothedCurve& curve : smoothed.curves) {
+  for (CurveResult& curve : smoothed.curves) {
     curve.curve = strips.mesh.folded(strips.memory->surface(), memory_->surface(), curve.curve);
     curves.push_back(curve.curve);
   }

@@ -1,4 +1,4 @@
-// The whole sheet is the mesh as it is.
+// The mesh domain is the mesh as it is.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ namespace talweg {
 
 /// The drawing smoothed on the mesh itself. Cost: that of its method, and of measuring the
 /// deviation.
-class WholeSheet final : public Sheet {
+class MeshDomain final : public SmoothingDomain {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.
-  WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
+  MeshDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
              EmbeddedDrawing::Ground ground, const Progress& progress);
 
   /// Lets curves cross that cross as drawn, so often in all, if they are all legs: see
@@ -29,12 +29,12 @@ class WholeSheet final : public Sheet {
   /// Sets a distance for the paper's method; it must have been checked.
   void set_distance(std::vector<double> distance);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress) override;
   /// The two parts of smooth(): the result, and what is measured of it.
-  Smoothed curves(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress);
-  void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
+  DomainResult curves(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress);
+  void measure(const SmoothingOptions& options, DomainResult& smoothed, const Progress& progress);
 
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
@@ -45,8 +45,8 @@ class WholeSheet final : public Sheet {
   }
 
  private:
-  void count_crossings(Smoothed& result, const Progress& progress);
-  void warn_of_upper_bounds(Smoothed& result) const;
+  void count_crossings(DomainResult& result, const Progress& progress);
+  void warn_of_upper_bounds(DomainResult& result) const;
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;
