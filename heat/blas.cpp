@@ -15,7 +15,7 @@
 #include <sys/mman.h>
 #endif
 
-#include "talweg/heat/module_turn.hpp"
+#include "talweg/heat/process_lock.hpp"
 
 namespace talweg {
 namespace {
@@ -87,7 +87,7 @@ class OpenBlas {
     if (holders_ == places_ && !add_place() && places_ == 0) throw std::bad_alloc();
     place_free_.wait(lock, [&] { return holders_ < places_; });
     if (holders_++ > 0) return;
-    turn_.emplace(ModuleTurn::Resource::kOpenBlas);
+    process_lock_.emplace(ProcessLock::Resource::kOpenBlas);
     if (parallel_() != kOwnThreads) return;
     before_ = threads_();
     if (before_ != 1) set_threads_(1);
@@ -99,7 +99,7 @@ class OpenBlas {
     if (--holders_ > 0) return;
     if (before_ != 1 && threads_() == 1) set_threads_(before_);
     before_ = 1;
-    turn_.reset();
+    process_lock_.reset();
   }
 
  private:
@@ -130,7 +130,7 @@ class OpenBlas {
   void* (*new_area_)(int) = find<void*(int)>("blas_memory_alloc");
   void (*free_area_)(void*) = find<void(void*)>("blas_memory_free");
   std::mutex alone_, mutex_;
-  std::optional<ModuleTurn> turn_;
+  std::optional<ProcessLock> process_lock_;
   std::condition_variable place_free_;
   int holders_ = 0, places_ = 0;
   int before_ = 1;  // the thread count before the first holder

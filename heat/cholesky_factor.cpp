@@ -10,7 +10,7 @@
 
 #include "talweg/heat/blas.hpp"
 #include "talweg/heat/matrix_checks.hpp"
-#include "talweg/heat/module_turn.hpp"
+#include "talweg/heat/process_lock.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -121,7 +121,7 @@ int cholmod_kind(FactorKind kind) {
 cholmod_factor* analyze(cholmod_sparse& matrix, int ordering, Workspace& work) {
   static std::mutex one_at_a_time;  // METIS uses rand()
   const std::lock_guard<std::mutex> lock(one_at_a_time);
-  const ModuleTurn turn(ModuleTurn::Resource::kRandomNumbers);
+  const ProcessLock process_lock(ProcessLock::Resource::kRandomNumbers);
   work->method[0].ordering = ordering;
   return cholmod_analyze(&matrix, work.get());
 }

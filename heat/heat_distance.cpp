@@ -58,7 +58,7 @@ constexpr bool kHasThreads = true;
 class Factoring {
  public:
   Factoring(const SymbolicFactor& symbolic, unsigned threads)
-      : symbolic_(symbolic), beside_(kHasThreads && threads > 1) {}
+      : symbolic_(symbolic), in_parallel_(kHasThreads && threads > 1) {}
 
   std::future<CholeskyFactor> start(std::shared_ptr<const SymmetricMatrix> matrix) {
     const auto job = [symbolic = symbolic_, kept = std::move(matrix)] {
@@ -67,16 +67,16 @@ class Factoring {
     // The two launch policies are tried one by one: with both at once, libstdc++ falls back to a
     // job that it has already moved from.
     try {
-      if (beside_) return std::async(std::launch::async, job);
+      if (in_parallel_) return std::async(std::launch::async, job);
     } catch (const std::system_error&) {
-      beside_ = false;  // the system has no more threads
+      in_parallel_ = false;  // the system has no more threads
     }
     return std::async(std::launch::deferred, job);
   }
 
  private:
   SymbolicFactor symbolic_;
-  bool beside_;
+  bool in_parallel_;
 };
 
 }  // namespace
@@ -97,7 +97,7 @@ struct HeatDistance::Impl {
   HeatReport report;
 
   /// The checked sources, and the sums and flags of each component that follow from them.
-  struct Start {
+  struct CheckedSources {
     std::vector<double> total;  // weight, by component
     std::vector<char> inside;   // by component: whether a source is off the boundary
     std::vector<double> heat;   // by vertex; sums to 1 over each component with a source
@@ -106,10 +106,10 @@ struct HeatDistance::Impl {
 
   bool prepare(const Surface& surface, const HeatOptions& options, const Progress& progress);
   bool factor(CotanLaplacian laplacian, unsigned threads, const Progress& progress);
-  Start start(std::span<const WeightedVertex> sources) const;
-  ScaledField heat(const Start& start, const Progress& progress) const;
+  CheckedSources checked(std::span<const WeightedVertex> sources) const;
+  ScaledField heat(const CheckedSources& checked, const Progress& progress) const;
   void finish(std::vector<double>& distance, std::span<const WeightedVertex> sources,
-              const Start& start, const DistanceOptions& options) const;
+              const CheckedSources& checked, const DistanceOptions& options) const;
 };
 
 bool HeatDistance::Impl::prepare(const Surface& surface, const HeatOptions& options,
@@ -169,13 +169,14 @@ bool HeatDistance::Impl::factor(CotanLaplacian laplacian, unsigned threads,
   return go_on(progress, "factor", 1);
 }
 
-HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVertex> sources) const {
+HeatDistance::Impl::CheckedSources HeatDistance::Impl::checked(
+    std::span<const WeightedVertex> sources) const {
   const std::size_t vertices = boundary.size();
-  Start start;
-  start.total.assign(components.count, 0.0);
-  start.inside.assign(components.count, 0);
-  start.heat.assign(vertices, 0.0);
-  start.reached.assign(vertices, 0);
+  CheckedSources checked;
+  checked.total.assign(components.count, 0.0);
+  checked.inside.assign(components.count, 0);
+  checked.heat.assign(vertices, 0.0);
+  checked.reached.assign(vertices, 0);
   bool any = false;
   for (const auto& [vertex, weight] : sources) {
     const std::size_t v = vertex.index();
@@ -186,22 +187,24 @@ HeatDistance::Impl::Start HeatDistance::Impl::start(std::span<const WeightedVert
     }
     if (!(weight > 0)) continue;
     any = true;
-    start.total[components.of_vertex[v]] += weight;
-    start.heat[v] += weight;
-    if (boundary[v] == 0) start.inside[components.of_vertex[v]] = 1;
+    checked.total[components.of_vertex[v]] += weight;
+    checked.heat[v] += weight;
+    if (boundary[v] == 0) checked.inside[components.of_vertex[v]] = 1;
   }
   if (!any) throw Error(ErrorCode::kBadCurve, "The curve has no source of positive weight.");
   for (std::size_t v = 0; v < vertices; ++v) {
-    const double total = start.total[components.of_vertex[v]];
+    const double total = checked.total[components.of_vertex[v]];
     if (!(total > 0)) continue;
-    start.reached[v] = 1;
-    start.heat[v] /= total;
+    checked.reached[v] = 1;
+    checked.heat[v] /= total;
   }
-  return start;
+  return checked;
 }
 
-ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progress) const {
-  ScaledField u = heat_flow(*neumann, triangles, time_scale, start.heat, start.reached, progress);
+ScaledField HeatDistance::Impl::heat(const CheckedSources& checked,
+                                     const Progress& progress) const {
+  ScaledField u =
+      heat_flow(*neumann, triangles, time_scale, checked.heat, checked.reached, progress);
   if (!dirichlet) return u;
   // The average is taken in components with a boundary and a source off the boundary. In a closed
   // component the second solution would be the same.
@@ -214,12 +217,12 @@ ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progres
   bool any = false;
   for (std::size_t v = 0; v < boundary.size(); ++v) {
     const std::size_t c = components.of_vertex[v];
-    if (bounded[c] == 0 || start.inside[c] == 0) continue;
+    if (bounded[c] == 0 || checked.inside[c] == 0) continue;
     any = true;
     averaged[v] = 1;
     if (boundary[v] != 0) continue;
     reached[v] = 1;
-    source[v] = start.heat[v];
+    source[v] = checked.heat[v];
   }
   if (!any) return u;
   return average(std::move(u),
@@ -227,15 +230,16 @@ ScaledField HeatDistance::Impl::heat(const Start& start, const Progress& progres
 }
 
 void HeatDistance::Impl::finish(std::vector<double>& distance,
-                                std::span<const WeightedVertex> sources, const Start& start,
+                                std::span<const WeightedVertex> sources,
+                                const CheckedSources& checked,
                                 const DistanceOptions& options) const {
   std::vector<double> mean(components.count, 0.0);
   for (const auto& [vertex, weight] : sources) {
     const std::size_t c = components.of_vertex[vertex.index()];
-    if (weight > 0) mean[c] += distance[vertex.index()] * (weight / start.total[c]);
+    if (weight > 0) mean[c] += distance[vertex.index()] * (weight / checked.total[c]);
   }
   for (std::size_t v = 0; v < distance.size(); ++v) {
-    if (start.reached[v] == 0) {
+    if (checked.reached[v] == 0) {
       distance[v] = std::numeric_limits<double>::infinity();
       continue;
     }
@@ -266,18 +270,18 @@ std::optional<HeatDistance> HeatDistance::open(const Surface& surface, const Hea
 std::vector<double> HeatDistance::solve(std::span<const WeightedVertex> sources,
                                         const DistanceOptions& options,
                                         const Progress& progress) const {
-  Asker asker(progress, "solve");
-  const Impl::Start start = impl_->start(sources);
-  const ScaledField heat = impl_->heat(start, progress);
-  asker.ask();
+  ProgressPoller poller(progress, "solve");
+  const Impl::CheckedSources checked = impl_->checked(sources);
+  const ScaledField heat = impl_->heat(checked, progress);
+  poller.poll();
   std::vector<double> right = unit_gradient_divergence(impl_->triangles, heat);
   for (std::size_t v = 0; v < right.size(); ++v) {
     if (impl_->pinned[v] != 0) right[v] = 0;
   }
-  asker.ask();
+  poller.poll();
   std::vector<double> distance = impl_->poisson->solve(right);
-  asker.ask();
-  impl_->finish(distance, sources, start, options);
+  poller.poll();
+  impl_->finish(distance, sources, checked, options);
   return distance;
 }
 

@@ -31,7 +31,7 @@ std::vector<double> rim_source(std::span<const HeatTriangle> triangles, double t
 ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle> triangles,
                       double time_scale, const std::vector<double>& source,
                       const std::vector<char>& reached, const Progress& progress) {
-  Asker asker(progress, "solve");
+  ProgressPoller poller(progress, "solve");
   const double small = std::ldexp(1.0, -ScaledField::kStageBits);
   ScaledField u;
   u.value = factor.solve(source);
@@ -45,7 +45,7 @@ ScaledField heat_flow(const CholeskyFactor& factor, std::span<const HeatTriangle
     unknown[i] = 1;
   }
   for (std::int32_t stage = 0; !rest.empty(); ++stage) {
-    asker.ask();
+    poller.poll();
     const std::vector<double> next =
         factor.solve(rim_source(triangles, time_scale, u, unknown, reached, stage));
     std::vector<std::size_t> still;

@@ -66,7 +66,7 @@ class BudgetUse {
   std::atomic<bool> has_ended_ = false;
 };
 
-/// Thrown by an Asker after Asker::end_with_budget() when the budget is used up.
+/// Thrown by a ProgressPoller after ProgressPoller::end_with_budget() when the budget is used up.
 struct BudgetUsedUp {};
 
 }  // namespace talweg

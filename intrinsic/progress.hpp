@@ -79,19 +79,19 @@ struct Cancelled {};
 /// Calls a Progress at construction and then at regular amounts of work. Work is counted, not
 /// timed, in units of about a tenth of a microsecond, so the Progress is called about once per
 /// millisecond.
-class Asker {
+class ProgressPoller {
  public:
   static constexpr std::size_t kEvery = 8192;  ///< units
 
   /// `fraction`: the done fraction of the stage at which the work begins, in [0, 1]. Throws
-  /// Cancelled when the callback returns false, as ask() and did() do.
-  Asker(Progress progress, const char* stage, double fraction = 0)
+  /// Cancelled when the callback returns false, as poll() and add_work() do.
+  ProgressPoller(Progress progress, const char* stage, double fraction = 0)
       : progress_(std::move(progress)), stage_(stage), fraction_(fraction) {
-    ask();
+    poll();
   }
 
-  /// Makes this call, and later calls of ask() and did(), throw BudgetUsedUp when the budget is
-  /// used up.
+  /// Makes this call, and later calls of poll() and add_work(), throw BudgetUsedUp when the budget
+  /// is used up.
   void end_with_budget() {
     ends_ = true;
     end_if(ends_early());
@@ -100,18 +100,18 @@ class Asker {
   [[nodiscard]] bool ends_early() const { return talweg::ends_early(progress_); }
 
   /// Reports the units of work done since the last call.
-  void did(std::size_t units) {
+  void add_work(std::size_t units) {
     if (BudgetUse* budget = progress_.budget()) {
       budget->add(units);
-      if (ends_ && budget->is_work_used_up()) ask();
+      if (ends_ && budget->is_work_used_up()) poll();
     } else if (!progress_) {
       return;
     }
-    if ((done_ += units) >= kEvery) ask();
+    if ((done_ += units) >= kEvery) poll();
   }
   /// Sets the fraction of the stage, in [0, 1], that later calls of the Progress report.
-  void is_at(double fraction) { fraction_ = fraction; }
-  void ask() {
+  void set_fraction(double fraction) { fraction_ = fraction; }
+  void poll() {
     done_ = 0;
     if (!go_on(progress_, stage_, fraction_)) throw Cancelled();
     if (ends_) end_if(ends_early());

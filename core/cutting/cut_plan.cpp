@@ -47,7 +47,7 @@ class Planner {
         surface_(mesh.surface()),
         curves_(curves),
         merging_(surface_, options.merge, options.resolution),
-        asker_(progress, "cut") {
+        poller_(progress, "cut") {
     plan_.old_vertices = surface_.vertex_count();
   }
   CutPlan run();
@@ -87,7 +87,7 @@ class Planner {
   const Surface& surface_;
   std::span<const SurfaceCurve> curves_;
   PointMerging merging_;
-  Asker asker_;
+  ProgressPoller poller_;
   CutPlan plan_;
   std::vector<std::vector<Placed>> placed_;                // per curve
   std::map<EdgeId, std::vector<OnOneEdge>> on_edges_;      // per edge, by t
@@ -340,9 +340,9 @@ void Planner::cut_up(FaceId face) {
 void Planner::cut_up_touched() {
   const std::vector<FaceId> touched = touched_faces();
   for (std::size_t k = 0; k < touched.size(); ++k) {
-    asker_.is_at(0.7 * static_cast<double>(k) / static_cast<double>(touched.size()));
+    poller_.set_fraction(0.7 * static_cast<double>(k) / static_cast<double>(touched.size()));
     cut_up(touched[k]);
-    asker_.did(20 * parts_[static_cast<std::uint32_t>(touched[k].index())].size());
+    poller_.add_work(20 * parts_[static_cast<std::uint32_t>(touched[k].index())].size());
   }
 }
 
@@ -385,8 +385,8 @@ CutPlan Planner::run() {
   cut_up_touched();
   collect_faces();
   collect_chains();
-  asker_.is_at(0.7);
-  asker_.ask();
+  poller_.set_fraction(0.7);
+  poller_.poll();
   return std::move(plan_);
 }
 

@@ -111,7 +111,7 @@ bool LidChooser::offer_other_triangulations() {
   const int rounds = rims_[0].size() <= 256 ? 4 : 2;
   LeftOut left_out;
   left_out.whole = kWhole;
-  left_out.asker = &asker_;
+  left_out.poller = &poller_;
   std::unordered_map<std::uint64_t, bool> known;
   const std::size_t most = clearance_.faces_seen() + kMostFaces;
   left_out.chord = [&](std::uint32_t a, std::uint32_t b) {

@@ -26,12 +26,12 @@ class LidChooser {
   /// same lid if the rims are on one connected part.
   LidChooser(const std::vector<Point>& points, LidClearance& clearance,
              std::function<std::uint32_t(std::uint32_t)> origin,
-             std::span<const CutMesh::Chain> chains, Asker& asker)
+             std::span<const CutMesh::Chain> chains, ProgressPoller& poller)
       : points_(points),
         clearance_(clearance),
         origin_(std::move(origin)),
         chains_(chains),
-        asker_(asker) {}
+        poller_(poller) {}
 
   /// Chooses a lid over one rim, or over a plane rim and its holes, and adds it to the clearance.
   /// Throws Error(kBadCurve) as add_lids() does, and Cancelled.

@@ -56,9 +56,9 @@ bool have_one_in_common(const std::set<std::uint32_t>& a, const std::set<std::ui
 }  // namespace
 
 LidClearance::LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
-                           std::span<const Loop> rims, Asker& asker)
+                           std::span<const Loop> rims, ProgressPoller& poller)
     : piece_(piece),
-      asker_(asker),
+      poller_(poller),
       near_(faces_near(piece, rims)),
       tree_(near_.size(), [this](std::uint32_t k) { return box_of(near_face(k)); }) {
   std::vector<bool> on_rim(piece.points.size(), false);
@@ -100,10 +100,10 @@ std::vector<LidClearance::Contact> LidClearance::contacts_with_piece(
     const Lid& lid, const std::set<std::uint32_t>& parts) const {
   std::vector<Contact> found;
   for (std::size_t i = 0; i < lid.triangles.size(); ++i) {
-    asker_.did(kOfVisit);
+    poller_.add_work(kOfVisit);
     const PointTriangle own = at(lid, lid.triangles[i]);
     visit_near(BoxesAtTriangle(own[0], own[1], own[2]), [&](std::uint32_t k) {
-      asker_.did(kOfPair);
+      poller_.add_work(kOfPair);
       if (parts.count(near_part_[k]) == 0) return;
       const PointTriangle other = near_face(k);
       if (!certainly_apart(own, other)) found.push_back({i, other});
@@ -119,9 +119,9 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
   const std::vector<PointTriangle> own = triangles_of(lid);
   const BoxTree among(own.size(), boxes_of(own));
   for (std::size_t i = 0; i < own.size(); ++i) {
-    asker_.did(kOfVisit);
+    poller_.add_work(kOfVisit);
     const auto meet = [&](const PointTriangle& other) {
-      asker_.did(kOfPair);
+      poller_.add_work(kOfPair);
       if (!certainly_apart(own[i], other)) found.push_back({i, other});
     };
     const BoxesAtTriangle here(own[i][0], own[i][1], own[i][2]);
@@ -142,7 +142,7 @@ std::vector<LidClearance::Contact> LidClearance::contacts(const Lid& lid,
 double LidClearance::reach_through(const PointTriangle& t,
                                    const std::set<std::uint32_t>& parts) const {
   double reach = 0;
-  asker_.did(kOfVisit);
+  poller_.add_work(kOfVisit);
   visit_near(BoxesAtTriangle(t[0], t[1], t[2]), [&](std::uint32_t k) {
     if (parts.count(near_part_[k]) == 0) return;
     reach = std::max(reach, crossing_reach(t, near_face(k)));
@@ -172,7 +172,7 @@ double LidClearance::depth(const Lid& lid, std::span<const Contact> contacts,
 bool LidClearance::pierces(std::uint32_t a, std::uint32_t b, double tolerance) const {
   const Point &p = piece_.points[a], &q = piece_.points[b];
   const std::uint32_t part = part_of_vertex_.at(a);
-  asker_.did(kOfVisit);
+  poller_.add_work(kOfVisit);
   return tree_.any_of(
       BoxesAtTriangle(p, q, q), [this](std::uint32_t k) { return near_box(k); },
       [&](std::uint32_t k) {

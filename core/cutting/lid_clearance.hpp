@@ -39,7 +39,7 @@ class LidClearance {
   /// and its faces must not change. O(faces + k log k) for k faces near rims. Searches for contacts
   /// report their work to `asker`, which must outlive the object, and throw Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
-               std::span<const Loop> rims, Asker& asker);
+               std::span<const Loop> rims, ProgressPoller& poller);
 
   /// The connected part of a rim.
   [[nodiscard]] std::uint32_t part_of(const Loop& rim) const { return part_of_vertex_.at(rim[0]); }
@@ -121,7 +121,7 @@ class LidClearance {
   [[nodiscard]] std::vector<PointTriangle> triangles_of(const Lid& lid) const;
 
   const MeshLists& piece_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   mutable std::size_t faces_seen_ = 0;
   std::map<std::uint32_t, std::uint32_t> part_of_vertex_;  // vertices of the rims
   std::set<Chord> edges_;                                  // between vertices of rims

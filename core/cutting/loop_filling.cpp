@@ -33,7 +33,8 @@ bool fill_short(const std::vector<Point>& points, const Loop& loop, const LeftOu
   std::vector<std::uint32_t> apex(n * n, 0);
   for (std::size_t width = 2; width < n; ++width) {
     for (std::size_t i = 0; i + width < n; ++i) {
-      if (left_out != nullptr && left_out->asker != nullptr) left_out->asker->did(width / 8 + 1);
+      if (left_out != nullptr && left_out->poller != nullptr)
+        left_out->poller->add_work(width / 8 + 1);
       const std::size_t k = i + width;
       double best = HUGE_VAL;
       const bool is_side = width + 1 == n;
@@ -245,17 +246,17 @@ void append(const Lid& lid, std::uint32_t first_inner, Piece& piece) {
 
 Lids add_lids(Piece& piece, const OpenedSeams& opened, std::span<const CutMesh::Chain> chains,
               LidKind kind, const Progress& progress) {
-  Asker asker(progress, "cap");
+  ProgressPoller poller(progress, "cap");
   Lids lids;
   const std::vector<Loop> loops = loops_of(piece, opened, chains, lids.left_open);
   if (loops.empty()) return lids;
   const auto old = [&](std::uint32_t v) { return opened.vertex_from[piece.vertices[v]]; };
   const std::vector<std::uint32_t> parts = parts_of(piece, opened);
-  LidClearance clearance(piece.lists, parts, loops, asker);
-  LidChooser chooser(piece.lists.points, clearance, old, chains, asker);
+  LidClearance clearance(piece.lists, parts, loops, poller);
+  LidChooser chooser(piece.lists.points, clearance, old, chains, poller);
   std::vector<Lid> chosen;
   for (const std::vector<Loop>& rims : groups_of(piece.lists.points, loops, kind)) {
-    asker.is_at(static_cast<double>(lids.filled) / static_cast<double>(loops.size()));
+    poller.set_fraction(static_cast<double>(lids.filled) / static_cast<double>(loops.size()));
     const Lid& lid = chosen.emplace_back(chooser.choose(rims, kind));
     lids.filled += rims.size();
     lids.planar += lid.plane ? rims.size() : 0;

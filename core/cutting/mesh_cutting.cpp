@@ -12,16 +12,16 @@ namespace {
 class ListWriter {
  public:
   ListWriter(const SurfaceMesh& mesh, const CutPlan& plan, const Progress& progress)
-      : mesh_(mesh), plan_(plan), asker_(progress, "cut", 0.7) {}
+      : mesh_(mesh), plan_(plan), poller_(progress, "cut", 0.7) {}
 
   CutMesh run() {
     write_vertices();
-    asker_.is_at(0.8);
+    poller_.set_fraction(0.8);
     write_faces();
     static_cast<CutNumbers&>(cut_) = plan_;
     cut_.chains = plan_.chains;
-    asker_.is_at(1);
-    asker_.ask();
+    poller_.set_fraction(1);
+    poller_.poll();
     return std::move(cut_);
   }
 
@@ -31,7 +31,7 @@ class ListWriter {
   /// Reports the copying of row number `rows` to the asker, in blocks.
   void did_rows(std::size_t rows) {
     constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
-    if (rows % kBlock == 0) asker_.did(kBlock / 10);
+    if (rows % kBlock == 0) poller_.add_work(kBlock / 10);
   }
   void add(const Triangle& triangle, std::uint32_t from) {
     cut_.lists.triangles.push_back(triangle);
@@ -40,7 +40,7 @@ class ListWriter {
 
   const SurfaceMesh& mesh_;
   const CutPlan& plan_;
-  Asker asker_;
+  ProgressPoller poller_;
   CutMesh cut_;
 };
 

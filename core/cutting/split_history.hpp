@@ -25,24 +25,24 @@ class SplitHistory {
   /// Records the division of a triangle into two or three parts, one of which keeps its number.
   void divide(std::uint32_t triangle,
               std::initializer_list<std::pair<std::uint32_t, Corners>> parts) {
-    const std::uint32_t whole = now_[triangle];
+    const std::uint32_t whole = present_[triangle];
     for (const auto& [number, corners] : parts) {
-      Ever& divided = ever_[whole];
-      const auto part = static_cast<std::uint32_t>(ever_.size());
+      Triangle& divided = triangles_[whole];
+      const auto part = static_cast<std::uint32_t>(triangles_.size());
       divided.parts[divided.count++] = part;
-      ever_.push_back({corners, number, {}, 0});
-      if (number >= now_.size()) now_.resize(number + std::size_t{1});
-      now_[number] = part;
+      triangles_.push_back({corners, number, {}, 0});
+      if (number >= present_.size()) present_.resize(number + std::size_t{1});
+      present_[number] = part;
     }
   }
 
   /// Records a flip: the two triangles at an edge are replaced by two others with the same numbers.
   void flip(const std::pair<std::uint32_t, Corners>& left,
             const std::pair<std::uint32_t, Corners>& right) {
-    const std::array<std::uint32_t, 2> before = {now_[left.first], now_[right.first]};
+    const std::array<std::uint32_t, 2> before = {present_[left.first], present_[right.first]};
     divide(left.first, {left, right});
-    ever_[before[1]].parts = ever_[before[0]].parts;
-    ever_[before[1]].count = 2;
+    triangles_[before[1]].parts = triangles_[before[0]].parts;
+    triangles_[before[1]].count = 2;
   }
 
   /// Frees the memory; at() must not be called afterwards.
@@ -53,17 +53,17 @@ class SplitHistory {
   template <class Holds>
   [[nodiscard]] std::uint32_t at(const Holds& holds) const {
     std::uint32_t i = 0;
-    while (ever_[i].count > 0) {
-      const Ever& divided = ever_[i];
+    while (triangles_[i].count > 0) {
+      const Triangle& divided = triangles_[i];
       std::size_t k = 0;
-      while (k + 1 < divided.count && !holds(ever_[divided.parts[k]].corners)) ++k;
+      while (k + 1 < divided.count && !holds(triangles_[divided.parts[k]].corners)) ++k;
       i = divided.parts[k];
     }
-    return ever_[i].triangle;
+    return triangles_[i].number;
   }
 
  private:
-  struct Ever {
+  struct Triangle {
     Corners corners;
     std::uint32_t triangle;              // its number in the triangulation
     std::array<std::uint32_t, 3> parts;  // indices in ever_

@@ -100,14 +100,14 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfacePoint> pins, Loops loops,
                             std::span<const std::size_t> names, const Progress& progress) {
   constexpr std::size_t kOfPoint = 32;  // units of work
-  Asker asker(progress, "embed");
+  ProgressPoller poller(progress, "embed");
   PointInsertion insertion(triangulation);
   EmbeddedCurves embedded;
   const PointLookup pinned(pins);
   std::vector<std::vector<VertexId>> vertices(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (const SurfacePoint& point : curves[c].points) {
-      asker.did(kOfPoint);
+      poller.add_work(kOfPoint);
       const VertexId v = insertion.insert(point);
       // Between slivers, inserting a point a second time may give another vertex.
       if (pinned.contains(point)) embedded.pinned.push_back(v);
@@ -127,7 +127,7 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const std::size_t count = vertices[c].size();
     for (std::size_t i = 0; i + (curves[c].closed ? 0 : 1) < count; ++i) {
-      asker.did(kOfPoint);
+      poller.add_work(kOfPoint);
       std::vector<HalfedgeId> way;
       insertion.connect(vertices[c][i], vertices[c][(i + 1) % count], way);
       joined.push_back({c, insertion.split_count(), std::move(way)});
@@ -135,8 +135,8 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
   }
   std::vector<std::vector<HalfedgeId>> chains(curves.size());
   for (const Joined& pair : joined) {
-    asker.did(kOfPoint / 4);
-    const std::vector<HalfedgeId> now = insertion.now(pair.way, pair.since);
+    poller.add_work(kOfPoint / 4);
+    const std::vector<HalfedgeId> now = insertion.with_splits(pair.way, pair.since);
     chains[pair.curve].insert(chains[pair.curve].end(), now.begin(), now.end());
   }
   std::sort(embedded.pinned.begin(), embedded.pinned.end());

@@ -23,7 +23,7 @@ EdgeDijkstra::EdgeDijkstra(const Surface& surface)
 
 std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool closed,
                                          const Progress& progress) {
-  asker_ = Asker(progress, "draw");
+  poller_ = ProgressPoller(progress, "draw");
   return drawn(through, closed);
 }
 
@@ -35,7 +35,7 @@ std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, boo
   std::vector<VertexId> path{through.front()};
   const std::size_t legs = closed ? through.size() : through.size() - 1;
   for (std::size_t leg = 0; leg < legs; ++leg) {
-    asker_.is_at(static_cast<double>(leg) / static_cast<double>(legs));
+    poller_.set_fraction(static_cast<double>(leg) / static_cast<double>(legs));
     const VertexId from = through[leg];
     const VertexId to = through[(leg + 1) % through.size()];
     // A closed path needs a third vertex: the way back must not use the only edge so far.
@@ -66,7 +66,7 @@ bool EdgeDijkstra::append_redrawn(VertexId from, VertexId over, VertexId to,
 std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
                                            std::span<const VertexId> through, std::size_t moved,
                                            bool closed, const Progress& progress) {
-  asker_ = Asker(progress, "draw");
+  poller_ = ProgressPoller(progress, "draw");
   check(through);
   const std::size_t n = through.size();
   if (moved >= n) throw Error(ErrorCode::kBadUsage, "redraw() is asked for a missing way-point.");
@@ -143,7 +143,7 @@ bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool 
   reach(from, VertexId{}, 0);
   constexpr std::size_t kOfEntry = 8;  // units of work
   while (!heap_.empty()) {
-    asker_.did(kOfEntry);
+    poller_.add_work(kOfEntry);
     std::pop_heap(heap_.begin(), heap_.end(), later);
     const Entry top = heap_.back();
     heap_.pop_back();

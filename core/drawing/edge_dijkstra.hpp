@@ -72,7 +72,7 @@ class EdgeDijkstra {
   std::vector<double> distance_;
   std::vector<VertexId> parent_;
   std::vector<Entry> heap_;
-  Asker asker_{{}, "draw"};
+  ProgressPoller poller_{{}, "draw"};
 };
 
 /// Draws one path without keeping the memory: EdgeDijkstra(surface).draw(through, closed).

@@ -200,12 +200,12 @@ double farthest_taken(const SurfaceMesh& mesh, double size) {
 /// number in the curve.
 std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                              const std::vector<Point>& positions, std::size_t first,
-                                             Asker& asker) {
+                                             ProgressPoller& poller) {
   constexpr std::size_t kOfPoint = 64;  // units of work
   std::vector<ClosestPoint::Result> nearest;
   const double size = size_of(mesh), farthest = farthest_taken(mesh, size);
   for (std::size_t k = 0; k < positions.size(); ++k) {
-    asker.did(kOfPoint);
+    poller.add_work(kOfPoint);
     try {
       nearest.push_back(closest.nearest(positions[k]));
       if (nearest.back().distance > farthest) {
@@ -245,11 +245,11 @@ void tell_matching(const SheetMatching& matching, const std::vector<Point>& posi
 
 std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                          const std::vector<Point>& positions, SnappedCurve& curve,
-                                         Asker& asker) {
+                                         ProgressPoller& poller) {
   const std::size_t before = curve.beyond_border[0].points;
   const std::size_t first = before > 0 ? before - 1 : 0;
   SheetMatching matching = matched_to_sheets(mesh, closest, positions, curve.closed,
-                                             nearest_to(mesh, closest, positions, first, asker));
+                                             nearest_to(mesh, closest, positions, first, poller));
   tell_matching(matching, positions, curve);
   std::vector<SurfacePoint> points;
   for (std::size_t k = 0; k < positions.size(); ++k) {
@@ -407,7 +407,7 @@ std::optional<CurveInput> within_border(const SurfaceMesh& mesh, const ClosestPo
 }
 
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& given,
-                      const SnapOptions& options, Asker& asker) {
+                      const SnapOptions& options, ProgressPoller& poller) {
   SnappedCurve result;
   result.told = given.told;
   const std::optional<CurveInput> rest = without_spikes(given, result.told);
@@ -426,7 +426,7 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
     settle_ends_of_lines(mesh.surface(), curve, points);
   } else {
     points =
-        snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points), result, asker);
+        snap_positions(mesh, *closest, std::get<std::vector<Point>>(curve.points), result, poller);
   }
   const std::vector<std::size_t> kept = merge_equal(points, result);
   check_length(result.points.size(), result.closed);
@@ -443,10 +443,10 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
 
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options,
                   const Progress& progress) {
-  Asker asker(progress, "snap");
+  ProgressPoller poller(progress, "snap");
   std::optional<ClosestPoint> closest;
   if (has_positions(curve)) closest.emplace(mesh);
-  return snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker);
+  return snap_one(mesh, closest ? &*closest : nullptr, curve, options, poller);
 }
 
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
@@ -458,13 +458,13 @@ std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInp
 std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInput> curves,
                                std::optional<ClosestPoint>& closest, const SnapOptions& options,
                                const Progress& progress) {
-  Asker asker(progress, "snap");
+  ProgressPoller poller(progress, "snap");
   if (!closest && std::any_of(curves.begin(), curves.end(), has_positions)) closest.emplace(mesh);
   std::vector<SnappedCurve> result;
   for (const CurveInput& curve : curves) {
-    asker.is_at(static_cast<double>(result.size()) / static_cast<double>(curves.size()));
+    poller.set_fraction(static_cast<double>(result.size()) / static_cast<double>(curves.size()));
     try {
-      result.push_back(snap_one(mesh, closest ? &*closest : nullptr, curve, options, asker));
+      result.push_back(snap_one(mesh, closest ? &*closest : nullptr, curve, options, poller));
     } catch (const Error& error) {
       if (curves.size() == 1) throw;
       throw Error(error.code(), "Curve " + std::to_string(result.size()) + ": " + error.what());

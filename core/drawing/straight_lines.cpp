@@ -89,7 +89,7 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
   std::vector<HalfedgeId> chain;
   std::size_t since = insertion.split_count();
   for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    chain = insertion.now(chain, since);
+    chain = insertion.with_splits(chain, since);
     insertion.connect(vertices[i], vertices[i + 1], chain);
     since = insertion.split_count();
   }
@@ -131,7 +131,7 @@ void StraightLines::find_gaps() {
 SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool closed,
                                  const Progress& progress) {
   constexpr std::size_t kOfLeg = 8;  // units of work, inside a face
-  Asker asker(progress, "draw");
+  ProgressPoller poller(progress, "draw");
   legs_.clear();
   joined_.clear();
   std::vector<SurfacePoint> distinct;
@@ -148,7 +148,7 @@ SurfaceCurve StraightLines::join(std::span<const SurfacePoint> points, bool clos
   }
   SurfaceCurve curve{closed, {}};
   for (std::size_t i = 0; i + 1 < distinct.size(); ++i) {
-    asker.did(kOfLeg);
+    poller.add_work(kOfLeg);
     append_leg(distinct[i], distinct[i + 1], curve.points, progress);
   }
   if (closed) {

@@ -223,7 +223,7 @@ SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleCha
     if (node.kept) kept.push_back({node.point, node.arc, node.stays});
   }
   drop_near_points(surface, chain.closed, trace.length, kNear * edge, kept);
-  return SaddlePassing(surface).led_past(kept, chain.closed);
+  return SaddlePassing(surface).moved_off_saddles(kept, chain.closed);
 }
 
 }  // namespace talweg

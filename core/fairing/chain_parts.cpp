@@ -75,7 +75,7 @@ std::vector<ChainRange> ranges_about(std::span<const std::size_t> samples, std::
   return ranges;
 }
 
-bool is_little(std::span<const ChainRange> ranges, std::size_t size) {
+bool is_small_part(std::span<const ChainRange> ranges, std::size_t size) {
   std::size_t sum = 0;
   for (const ChainRange& range : ranges) sum += range.last - range.first;
   return sum < size / 4;

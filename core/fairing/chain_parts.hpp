@@ -37,7 +37,7 @@ std::vector<ChainRange> ranges_about(std::span<const std::size_t> samples, std::
                                      std::size_t size);
 
 /// Whether the ranges cover less than a quarter of `size` samples.
-bool is_little(std::span<const ChainRange> ranges, std::size_t size);
+bool is_small_part(std::span<const ChainRange> ranges, std::size_t size);
 
 /// The samples of a range as an open chain with fixed ends. O(chain).
 SampleChain part_of(const Surface& surface, const SampleChain& chain, ChainRange range);

@@ -21,7 +21,7 @@ constexpr int kSwingRounds = 8;
 constexpr double kEarlier = 0.95, kStiffer = 4, kFarBeyond = 0.25;
 constexpr double kUneven = 2, kMostSamples = 1e5;
 constexpr std::size_t kLong = 4'096;       // samples; of longer chains only parts are faired again
-constexpr std::size_t kEase = 32;          // samples on either side of a part that is faired again
+constexpr std::size_t kMargin = 32;        // samples on either side of a part that is faired again
 constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
 /// The largest swing of a leg: nearly a quarter of the length of the shortest among the leg and its
@@ -77,7 +77,7 @@ std::optional<SampleChain> CurveFairing::sampled(const CurveTrace& trace, int le
   const double least = std::max(edge_ / kLeastOfEdge, trace.length / kMostSamples);
   const auto is_divided = [&](double from, double to, double length) {
     const double here = std::max(least, wanted(band_->slack_between(from, to), HUGE_VAL, level));
-    return length > kUnequal * std::min(most, here) || band_->cuts_off(from, to);
+    return length > kUnequal * std::min(most, here) || band_->chord_cuts_off(from, to);
   };
   return maker_.sampled(trace, apart, least, is_divided);
 }
@@ -94,8 +94,8 @@ bool CurveFairing::is_too_long(double length) const {
 /// The length 1/√t over which a spline turns at a corner of its legs; infinite until t is known.
 double CurveFairing::reach_of_corner(std::size_t leg) const {
   if (!(tension_ > 0)) return HUGE_VAL;
-  const double stronger = leg < legs_.stronger.size() ? legs_.stronger[leg] : 1;
-  return 1 / std::sqrt(tension_ * stronger);
+  const double factor = leg < legs_.factors.size() ? legs_.factors[leg] : 1;
+  return 1 / std::sqrt(tension_ * factor);
 }
 
 FairChain CurveFairing::chain_fairing(const FairOptions& options) {
@@ -113,12 +113,13 @@ std::optional<CurveTrace> CurveFairing::traced(const SampleChain& chain) {
 
 /// Starts with coarse samples, which find a course of little bending. Fine samples would end in one
 /// of many small minima of the bending.
-std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start, Asker& asker) {
-  return from_level(0, start, asker);
+std::optional<SampleChain> CurveFairing::from_curve(const CurveTrace& start,
+                                                    ProgressPoller& poller) {
+  return from_level(0, start, poller);
 }
 
 std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace& start,
-                                                    Asker& asker) {
+                                                    ProgressPoller& poller) {
   CurveTrace trace = start;
   std::optional<SampleChain> chain;
   for (int level = first; level < levels(); ++level) {
@@ -129,16 +130,16 @@ std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace&
       FairOptions options = options_;
       if (!last) options.tolerance = kCoarseTolerance;
       FairChain fair = chain_fairing(options);
-      fair.run(*chain, nullptr, asker);
-      if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, asker);
+      fair.run(*chain, nullptr, poller);
+      if (level == 0 && sampling == 0) hold_swings(fair, *chain, start, poller);
       tension_ = fair.tension();
       if (chain->length() > most_length_) return std::nullopt;
       const auto is_enough = [&] { return sampling == kSamplings || is_even(*chain, level); };
-      if (!legs_.any() || (last && is_enough())) keep_within(fair, *chain, nullptr, asker);
-      lost_ = lost_ || fair.is_lost();
-      if (lost_) return std::nullopt;
+      if (!legs_.any() || (last && is_enough())) keep_within(fair, *chain, nullptr, poller);
+      passes_too_many_faces_ = passes_too_many_faces_ || fair.passes_too_many_faces();
+      if (passes_too_many_faces_) return std::nullopt;
       const bool enough = is_enough();
-      if (last && enough) return loosened(*std::move(chain), asker);
+      if (last && enough) return with_freed(*std::move(chain), poller);
       std::optional<CurveTrace> finer = traced(*chain);
       if (!finer) return std::nullopt;
       trace = *std::move(finer);
@@ -152,11 +153,11 @@ std::optional<SampleChain> CurveFairing::from_level(int first, const CurveTrace&
 /// which the spline swings too far for their length get more tension, while the other legs keep
 /// theirs.
 void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs,
-                               Asker& asker) {
+                               ProgressPoller& poller) {
   if (!legs_.any()) return;
   const std::vector<double> lengths = legs.stretch_lengths();
   const std::size_t n = lengths.size();
-  legs_.stronger.resize(n, 1);
+  legs_.factors.resize(n, 1);
   for (int round = 0; round < kSwingRounds; ++round) {
     std::vector<double> swings(n, 0);
     for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -169,36 +170,36 @@ void CurveFairing::hold_swings(FairChain& fair, SampleChain& chain, const CurveT
       const double excess = swings[k] / allowed_swing(lengths, k, legs.closed);
       if (!legs_.is_leg[k] || excess <= 1.05) continue;
       any = true;
-      legs_.stronger[k] *= std::min(excess * excess, 4.0);
+      legs_.factors[k] *= std::min(excess * excess, 4.0);
     }
     if (!any) return;
     if (!legs_.tension) legs_.tension = fair.tension();
-    fair.run(chain, nullptr, asker);
+    fair.run(chain, nullptr, poller);
   }
 }
 
 /// Lets samples at way-points with a tolerance move within the tolerance. Returns the chain
 /// unchanged if a sample leaves its tolerance.
-std::optional<SampleChain> CurveFairing::loosened(SampleChain chain, Asker& asker) {
-  std::vector<bool> loose(chain.size(), false);
+std::optional<SampleChain> CurveFairing::with_freed(SampleChain chain, ProgressPoller& poller) {
+  std::vector<bool> freed(chain.size(), false);
   std::vector<double> reach(chain.size(), 0);
   std::size_t passed = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     if (!chain.fixed[i]) continue;
     if (passed < legs_.tolerances.size() && !chain.turns_freely(i))
       reach[i] = legs_.tolerances[passed];
-    loose[i] = reach[i] > 0;
+    freed[i] = reach[i] > 0;
     ++passed;
   }
-  if (std::find(loose.begin(), loose.end(), true) == loose.end()) return chain;
-  std::optional<SampleChain> free = maker_.loosened(chain, loose);
+  if (std::find(freed.begin(), freed.end(), true) == freed.end()) return chain;
+  std::optional<SampleChain> free = maker_.with_freed(chain, freed);
   if (!free) return chain;
   FairChain fair(maker_, band_, *curvature_, options_);
   fair.set_legs(legs_, reach);
-  fair.run(*free, nullptr, asker);
-  keep_within(fair, *free, nullptr, asker);
+  fair.run(*free, nullptr, poller);
+  keep_within(fair, *free, nullptr, poller);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (loose[i] && !(std::abs(fair.offsets()[i]) <= reach[i])) return chain;
+    if (freed[i] && !(std::abs(fair.offsets()[i]) <= reach[i])) return chain;
   }
   return free;
 }
@@ -228,49 +229,50 @@ bool CurveFairing::is_even(const SampleChain& chain, int level) const {
 }
 
 std::optional<SampleChain> CurveFairing::from_chain(SampleChain chain, SampleTrail& trail,
-                                                    Asker& asker) {
+                                                    ProgressPoller& poller) {
   FairChain fair = chain_fairing(options_);
-  fair.run(chain, &trail, asker);
-  keep_within(fair, chain, &trail, asker);
+  fair.run(chain, &trail, poller);
+  keep_within(fair, chain, &trail, poller);
   if (chain.length() > most_length_) return std::nullopt;
   return chain;
 }
 
-std::optional<SampleChain> CurveFairing::evened(const SampleChain& chain, Asker& asker) {
+std::optional<SampleChain> CurveFairing::resampled(const SampleChain& chain,
+                                                   ProgressPoller& poller) {
   const int last = levels() - 1;
   if (is_even(chain, last)) return std::nullopt;
   const std::optional<CurveTrace> trace = traced(chain);
-  return trace ? from_level(last, *trace, asker) : std::nullopt;
+  return trace ? from_level(last, *trace, poller) : std::nullopt;
 }
 
 /// Fairs the chain again with stiffer walls where samples are beyond them, until all samples are
 /// within or the rounds are used up.
 void CurveFairing::keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail,
-                               Asker& asker) {
+                               ProgressPoller& poller) {
   if (chain.size() > kLong && trail == nullptr && !legs_.any() &&
-      keep_parts_within(fair.near_walls(chain), fair.options(), chain, asker)) {
+      keep_parts_within(fair.near_walls(chain), fair.options(), chain, poller)) {
     return;
   }
   for (int round = 0; round < kTightenings && fair.stiffen(chain); ++round) {
-    fair.run(chain, trail, asker);
+    fair.run(chain, trail, poller);
   }
 }
 
 /// The same for parts of a long chain around these samples; false if the parts are too much of the
 /// chain.
 bool CurveFairing::keep_parts_within(const std::vector<std::size_t>& samples, FairOptions options,
-                                     SampleChain& chain, Asker& asker) {
+                                     SampleChain& chain, ProgressPoller& poller) {
   if (samples.empty()) return true;
-  const auto ranges = ranges_about(samples, kEase, chain.size());
-  if (!is_little(ranges, chain.size())) return false;
+  const auto ranges = ranges_about(samples, kMargin, chain.size());
+  if (!is_small_part(ranges, chain.size())) return false;
   options.mean = FairChain::mean_curvature(chain);
   std::vector<SampleChain> parts;
   for (const ChainRange& range : ranges) {
     auto part = part_of_chain(chain, range);
     if (!part) return false;
     FairChain fair(maker_, band_, *curvature_, options);
-    fair.run(*part, nullptr, asker);
-    keep_within(fair, *part, nullptr, asker);
+    fair.run(*part, nullptr, poller);
+    keep_within(fair, *part, nullptr, poller);
     parts.push_back(*std::move(part));
   }
   chain = with_parts(chain, ranges, parts);
@@ -348,7 +350,7 @@ std::vector<int> CurveFairing::result_parts(const SampleChain& chain) {
 /// chain divided into joins[i] joins for join i. False if no part was faired, or the parts are too
 /// much of the chain.
 bool CurveFairing::draw_in(const SampleChain& dense, const std::vector<int>& joins,
-                           SampleChain& chain, Asker& asker) {
+                           SampleChain& chain, ProgressPoller& poller) {
   constexpr double kAlmost = 0.98;
   std::vector<std::size_t> samples;
   std::size_t next = 0;
@@ -361,15 +363,15 @@ bool CurveFairing::draw_in(const SampleChain& dense, const std::vector<int>& joi
     }
     if (near) samples.push_back(i);
   }
-  const auto ranges = ranges_about(samples, kEase, chain.size());
-  if (ranges.empty() || !is_little(ranges, chain.size())) return false;
+  const auto ranges = ranges_about(samples, kMargin, chain.size());
+  if (ranges.empty() || !is_small_part(ranges, chain.size())) return false;
   const std::optional<double> mean = options_.mean;
   options_.mean = FairChain::mean_curvature(chain);
   std::vector<ChainRange> replaced;
   std::vector<SampleChain> parts;
   for (const ChainRange& range : ranges) {
     auto part = part_of_chain(chain, range);
-    auto faired = part ? curve_of(*std::move(part), asker) : std::nullopt;
+    auto faired = part ? curve_of(*std::move(part), poller) : std::nullopt;
     if (!faired) continue;
     replaced.push_back(range);
     parts.push_back(std::move(faired->chain));
@@ -389,7 +391,7 @@ std::optional<SampleChain> CurveFairing::part_of_chain(const SampleChain& chain,
 
 /// The curve may be beyond a wall between samples that are within. The chain is then faired again
 /// with walls that are felt earlier, as long as each round halves the excess.
-std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& asker) {
+std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, ProgressPoller& poller) {
   if (band_ != nullptr && !keeps_within(chain)) return std::nullopt;
   FairOptions options = options_;
   for (int round = 0;; ++round) {
@@ -404,7 +406,7 @@ std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& aske
       return result;
     }
     if (chain.size() > kLong && !legs_.any()) {
-      if (round > 0 || !draw_in(*dense, parts, chain, asker)) {
+      if (round > 0 || !draw_in(*dense, parts, chain, poller)) {
         result.chain = std::move(chain);
         return result;
       }
@@ -413,8 +415,8 @@ std::optional<FairedCurve> CurveFairing::curve_of(SampleChain chain, Asker& aske
     options.felt *= kEarlier;
     options.stiffness *= kStiffer;
     FairChain fair = chain_fairing(options);
-    fair.run(chain, nullptr, asker);
-    keep_within(fair, chain, nullptr, asker);
+    fair.run(chain, nullptr, poller);
+    keep_within(fair, chain, nullptr, poller);
   }
 }
 

@@ -54,23 +54,24 @@ class CurveFairing {
   void give_up_beyond(double length) { most_length_ = length; }
   /// Whether a chain was given up because it passes too many faces; other chains in this band
   /// would, too.
-  [[nodiscard]] bool is_lost() const { return lost_; }
+  [[nodiscard]] bool passes_too_many_faces() const { return passes_too_many_faces_; }
   /// A fair chain that starts from a curve; none where samples cannot be joined, or the chain is
   /// given up.
-  std::optional<SampleChain> from_curve(const CurveTrace& start, Asker& asker);
+  std::optional<SampleChain> from_curve(const CurveTrace& start, ProgressPoller& poller);
   /// A fair chain that starts from a chain of another band; none if the chain is given up. The ways
   /// of its samples are appended to the trail.
-  std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail, Asker& asker);
+  std::optional<SampleChain> from_chain(SampleChain chain, SampleTrail& trail,
+                                        ProgressPoller& poller);
   /// The chain sampled again and faired, if its joins are too uneven for another start; none if
   /// they are even, or where samples cannot be joined.
-  std::optional<SampleChain> evened(const SampleChain& chain, Asker& asker);
+  std::optional<SampleChain> resampled(const SampleChain& chain, ProgressPoller& poller);
   /// Whether no sample lies beyond a wall.
   [[nodiscard]] bool keeps_within(const SampleChain& chain) const;
   /// The largest distance of a curve to the drawing, relative to the wall there.
   [[nodiscard]] double farthest(const SurfaceCurve& curve) const;
   /// The curve of a chain that is fair or nearly so. The chain is faired again if its curve is
   /// beyond a wall. None where a sample is beyond a wall, or samples cannot be joined.
-  std::optional<FairedCurve> curve_of(SampleChain chain, Asker& asker);
+  std::optional<FairedCurve> curve_of(SampleChain chain, ProgressPoller& poller);
 
  private:
   [[nodiscard]] int levels() const;
@@ -81,22 +82,23 @@ class CurveFairing {
   [[nodiscard]] std::vector<double> spacings(const CurveTrace& trace, int level) const;
   std::optional<SampleChain> sampled(const CurveTrace& trace, int level);
   std::optional<CurveTrace> traced(const SampleChain& chain);
-  std::optional<SampleChain> from_level(int first, const CurveTrace& start, Asker& asker);
+  std::optional<SampleChain> from_level(int first, const CurveTrace& start, ProgressPoller& poller);
   [[nodiscard]] double reach_of_corner(std::size_t leg) const;
   [[nodiscard]] FairChain chain_fairing(const FairOptions& options);
-  void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs, Asker& asker);
-  std::optional<SampleChain> loosened(SampleChain chain, Asker& asker);
+  void hold_swings(FairChain& fair, SampleChain& chain, const CurveTrace& legs,
+                   ProgressPoller& poller);
+  std::optional<SampleChain> with_freed(SampleChain chain, ProgressPoller& poller);
   [[nodiscard]] bool is_held(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double farthest(const SampleChain& chain) const;
   [[nodiscard]] double in_walls(const SurfacePoint& point) const;
   template <class Look>
   void look_along(const SurfaceCurve& curve, const Look& look) const;
-  void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, Asker& asker);
+  void keep_within(FairChain& fair, SampleChain& chain, SampleTrail* trail, ProgressPoller& poller);
   std::optional<SampleChain> part_of_chain(const SampleChain& chain, ChainRange range);
   bool draw_in(const SampleChain& dense, const std::vector<int>& joins, SampleChain& chain,
-               Asker& asker);
+               ProgressPoller& poller);
   bool keep_parts_within(const std::vector<std::size_t>& samples, FairOptions options,
-                         SampleChain& chain, Asker& asker);
+                         SampleChain& chain, ProgressPoller& poller);
 
   const Surface* surface_;
   StripCurvature* curvature_;
@@ -107,7 +109,7 @@ class CurveFairing {
   LegTension legs_;
   double tension_ = 0;  // of the legs, in the last run; 1 / mesh units²
   double most_length_ = HUGE_VAL;
-  bool lost_ = false;
+  bool passes_too_many_faces_ = false;
 };
 
 }  // namespace talweg

@@ -10,7 +10,7 @@ DrawnBand::DrawnBand(PolylineDistance& distance, const std::vector<BandCurve>& c
   for (const BandCurve& curve : curves) add(curve);
   std::sort(widths_.begin(), widths_.end(),
             [](const Width& a, const Width& b) { return a.curve < b.curve; });
-  const auto wall = [](const Width& w) { return w.width.walls * w.width.slack; };
+  const auto wall = [](const Width& w) { return w.width.wall_in_slacks * w.width.slack; };
   for (std::size_t k = 1; k < widths_.size(); ++k) {
     if (wall(widths_[k]) < wall(widths_[narrowest_])) narrowest_ = k;
   }
@@ -72,11 +72,11 @@ void DrawnBand::set_width(BandPlace& place, std::uint32_t curve, double arc,
     place.arc = own.on_line(arc);
   }
   place.slack = slack;
-  place.wall = width.walls * slack;
-  place.wall_slope = width.walls * slope;
-  place.middle = width.middle;
-  if (place.wall > width.most) {
-    place.wall = width.most;
+  place.wall = width.wall_in_slacks * slack;
+  place.wall_slope = width.wall_in_slacks * slope;
+  place.centering = width.centering;
+  if (place.wall > width.largest_wall) {
+    place.wall = width.largest_wall;
     place.wall_slope = 0;
   }
 }
@@ -101,7 +101,7 @@ BandPlace DrawnBand::at(const SurfacePoint& point) const {
   return place;
 }
 
-bool DrawnBand::is_own(const BandPlace& place, double drawn) const {
+bool DrawnBand::is_same_strand(const BandPlace& place, double drawn) const {
   return line_ == nullptr || std::isnan(place.arc) ||
          line_->stays_near(drawn, place.arc, place.wall);
 }
@@ -128,7 +128,7 @@ double DrawnBand::least_along(double from, double to, const Value& value) const 
   return least;
 }
 
-bool DrawnBand::cuts_off(double from, double to) const {
+bool DrawnBand::chord_cuts_off(double from, double to) const {
   constexpr double kNearly = 0.8;
   if (line_ == nullptr || std::isnan(from) || std::isnan(to)) return false;
   const double wall =

@@ -21,9 +21,9 @@ struct BandWidth {
   double slack = 0;                  ///< ε
   std::span<const double> slack_at;  ///< unless empty, replaces `slack`: ε at each curve point
   double least_slack = 0;            ///< > 0; lower bound of ε
-  double walls = 1.2;                ///< W: distance of the walls from the drawing, in slacks
-  double most = HUGE_VAL;            ///< upper bound of the distance of the walls
-  double middle = 1;                 ///< factor of FairOptions::middle on this curve
+  double wall_in_slacks = 1.2;       ///< W: distance of the walls from the drawing, in slacks
+  double largest_wall = HUGE_VAL;    ///< upper bound of the distance of the walls
+  double centering = 1;              ///< factor of FairOptions::centering on this curve
 };
 
 /// A curve that is faired, by its number among the curves of the distance.
@@ -41,16 +41,16 @@ struct BandPlace {
   double slack = 0;       ///< ε at the nearest point of the drawing
   double wall = 0;        ///< distance of the walls from the drawing there
   double wall_slope = 0;  ///< derivative of `wall` along the direction
-  double middle = 1;      ///< BandWidth::middle
+  double centering = 1;   ///< BandWidth::centering
   double arc = NAN;       ///< place of the nearest point on the drawn line; NaN at other curves
 };
 
 /// The band of one curve of a PolylineDistance, or of several joined curves: the width at a point
 /// is the width of the nearest of these curves. Where another curve of the distance is nearest, the
 /// narrowest width counts. Refers to the distance. `line` is the drawing of all these curves in
-/// space. Without a line, is_own() is true everywhere and slack_between() is the least slack. Cost
-/// of at(): the drawing's segments in the face and the windows on its sides that are near. The
-/// worst case is thousands of points in one face.
+/// space. Without a line, is_same_strand() is true everywhere and slack_between() is the least
+/// slack. Cost of at(): the drawing's segments in the face and the windows on its sides that are
+/// near. The worst case is thousands of points in one face.
 class DrawnBand {
  public:
   DrawnBand(PolylineDistance& distance, std::size_t curve, const BandWidth& width)
@@ -63,10 +63,10 @@ class DrawnBand {
   /// Whether a place belongs to the strand of the drawing at `drawn`, a place on the line: the
   /// drawing from `drawn` to the nearest point stays within a wall's distance. Otherwise another
   /// strand is nearer.
-  [[nodiscard]] bool is_own(const BandPlace& place, double drawn) const;
+  [[nodiscard]] bool is_same_strand(const BandPlace& place, double drawn) const;
   /// Whether a straight line between two places on the line cuts off a part of the drawing that is
   /// farther from the straight line than 0.8 of the walls' distance.
-  [[nodiscard]] bool cuts_off(double from, double to) const;
+  [[nodiscard]] bool chord_cuts_off(double from, double to) const;
   /// The least slack anywhere along the curve, and the largest.
   [[nodiscard]] double least_slack() const;
   [[nodiscard]] double largest_slack() const;
@@ -88,7 +88,7 @@ class DrawnBand {
     [[nodiscard]] std::pair<double, double> slack_at(double arc) const;
     [[nodiscard]] double least_between(double from, double to) const;
     [[nodiscard]] double wall_for(double slack) const {
-      return std::min(width.walls * slack, width.most);
+      return std::min(width.wall_in_slacks * slack, width.largest_wall);
     }
   };
   void add(const BandCurve& curve);

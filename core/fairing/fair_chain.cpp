@@ -54,38 +54,38 @@ bool FairChain::is_on_leg(const SampleChain& chain, std::size_t i) const {
          legs_->is_on_leg(chain.join_after(i));
 }
 
-/// A loose sample has walls around its way-point; other samples on legs have no walls.
+/// A freed sample has walls around its way-point; other samples on legs have no walls.
 BandPlace FairChain::place_of(const SampleChain& chain, std::size_t i, double offset) const {
   constexpr double kScale = 2;  // of a step, in joins
-  if (is_loose(chain, i) && !reach_.empty()) {
+  if (is_freed(chain, i) && !reach_.empty()) {
     const double r = reach_[i];
     return {std::abs(offset), offset < 0 ? -1.0 : 1.0, r, r, 0};
   }
-  if (!is_loose(chain, i) && !is_on_leg(chain, i))
+  if (!is_freed(chain, i) && !is_on_leg(chain, i))
     return band_->at(chain.samples[i], turned_left(chain.tangent(i)));
   const double scale = kScale / 2 * (chain.join_before(i).length + chain.join_after(i).length);
   return {0, 0, scale, HUGE_VAL, 0};
 }
 
-/// Computes the places of the samples that `anew` marks; the places of other samples are known
+/// Computes the places of the samples that `changed` marks; the places of other samples are known
 /// already.
 void FairChain::measure(const SampleChain& chain, const std::vector<double>& offsets,
-                        const std::vector<bool>& anew, std::vector<BandPlace>& places) const {
+                        const std::vector<bool>& changed, std::vector<BandPlace>& places) const {
   places.resize(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (!chain.fixed[i] && anew[i]) places[i] = place_of(chain, i, offsets[i]);
+    if (!chain.fixed[i] && changed[i]) places[i] = place_of(chain, i, offsets[i]);
   }
 }
 
 /// The share of a sample in the energy of the tension.
-double FairChain::pull_at(const SampleChain& chain, std::size_t i) const {
-  if (pull_.empty()) return 0;
+double FairChain::tension_energy_at(const SampleChain& chain, std::size_t i) const {
+  if (tensions_.empty()) return 0;
   const std::size_t n = chain.joins.size();
   double sum = 0;
   if (chain.closed || i > 0) {
-    sum += pull_[i == 0 ? n - 1 : i - 1] * chain.join_before(i).length;
+    sum += tensions_[i == 0 ? n - 1 : i - 1] * chain.join_before(i).length;
   }
-  if (i < n) sum += pull_[i] * chain.joins[i].length;
+  if (i < n) sum += tensions_[i] * chain.joins[i].length;
   return sum / 2;
 }
 
@@ -146,11 +146,11 @@ void FairChain::balance(const SampleChain& chain) {
   }
   if (length > 0) most = std::max(most, kTurn * kTurn * length * length / (squares * squares));
   for (const LegBending& leg : legs) bending += std::min(leg.bending, most * leg.length);
-  common_pull_ = legs_->tension.value_or(legs_->relative * bending / length);
-  pull_.assign(chain.joins.size(), 0);
-  for (std::size_t i = 0; i < pull_.size(); ++i) {
+  tension_ = legs_->tension.value_or(legs_->length_exponent * bending / length);
+  tensions_.assign(chain.joins.size(), 0);
+  for (std::size_t i = 0; i < tensions_.size(); ++i) {
     const ChainJoin& join = chain.joins[i];
-    if (legs_->is_on_leg(join)) pull_[i] = common_pull_ * legs_->factor(join);
+    if (legs_->is_on_leg(join)) tensions_[i] = tension_ * legs_->factor(join);
   }
 }
 
@@ -164,7 +164,7 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
   }
   const double mean = mean_of(chain);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    energies[i] += pull_at(chain, i);
+    energies[i] += tension_energy_at(chain, i);
     if (chain.turns_freely(i)) continue;
     const double weight = (chain.join_before(i).length + chain.join_after(i).length) / 2;
     const double turn = chain.turns[i] - mean * weight;
@@ -173,7 +173,7 @@ void FairChain::energies(const SampleChain& chain, const std::vector<BandPlace>&
     const BandPlace& place = places[i];
     const double beyond = std::max(0.0, place.distance - options_.felt * place.wall);
     energies[i] += weight / fourth(place.slack) *
-                   (options_.middle * place.middle * place.distance * place.distance +
+                   (options_.centering * place.centering * place.distance * place.distance +
                     stiffness_[i] * beyond * beyond);
   }
 }
@@ -190,7 +190,8 @@ void FairChain::set_rows(const SampleChain& chain) {
     row.weight = (in.length + out.length) / 2;
     const double curvature = chain.turns[i] / row.weight;
     row.rest = curvature - mean;
-    const double before = 1 / (row.weight * in.last_leg), after = 1 / (row.weight * out.first_leg);
+    const double before = 1 / (row.weight * in.from_last_bend),
+                 after = 1 / (row.weight * out.to_first_bend);
     // A join that bends at a vertex turns about this vertex, so the sample at its other end has no
     // part in the row.
     row.before = in.bends ? 0 : before;
@@ -218,11 +219,11 @@ void FairChain::assemble(const SampleChain& chain) {
     if (chain.fixed[i]) continue;
     const BandPlace& place = places_[i];
     const double per = row.weight / fourth(place.slack), s = place.slope;
-    const double middle = options_.middle * place.middle;
-    system_.add(i, i, per * (middle * s * s + damping_));
-    system_.right(i) -= per * middle * s * place.distance;
+    const double centering = options_.centering * place.centering;
+    system_.add(i, i, per * (centering * s * s + damping_));
+    system_.right(i) -= per * centering * s * place.distance;
   }
-  add_pull(chain);
+  add_tension(chain);
   add_bends(chain);
 }
 
@@ -240,16 +241,16 @@ void FairChain::add_walls(const SampleChain& chain, BandSystem& system) const {
 
 /// Half of the gradient and of the Hessian of t · length. A sample that turns by θ and moves by d
 /// to the left makes each of its joins shorter by sin(θ / 2) d.
-void FairChain::add_pull(const SampleChain& chain) {
-  for (std::size_t i = 0; i < pull_.size(); ++i) {
-    if (!(pull_[i] > 0)) continue;
+void FairChain::add_tension(const SampleChain& chain) {
+  for (std::size_t i = 0; i < tensions_.size(); ++i) {
+    if (!(tensions_[i] > 0)) continue;
     const std::size_t j = chain.after(i);
     const ChainJoin& join = chain.joins[i];
-    const double half = pull_[i] / 2;
+    const double half = tensions_[i] / 2;
     system_.right(i) += half * std::sin(chain.turns[i] / 2);
     system_.right(j) += half * std::sin(chain.turns[j] / 2);
-    system_.add(i, i, half / join.first_leg);
-    system_.add(j, j, half / join.last_leg);
+    system_.add(i, i, half / join.to_first_bend);
+    system_.add(j, j, half / join.from_last_bend);
     if (!join.bends) system_.add(i, j, -half / join.length);
   }
 }
@@ -262,7 +263,8 @@ void FairChain::add_bends(const SampleChain& chain) {
     const ChainJoin& join = chain.joins[i];
     if (!join.bends || !legs_->is_on_leg(join)) continue;
     const std::size_t j = chain.after(i);
-    const double first = 1 / join.first_leg, last = 1 / join.last_leg, per = 1 / join.length;
+    const double first = 1 / join.to_first_bend, last = 1 / join.from_last_bend,
+                 per = 1 / join.length;
     system_.add(i, i, per * first * first);
     system_.add(j, j, per * last * last);
     if (join.bends_once) system_.add(i, j, per * first * last);
@@ -348,8 +350,8 @@ bool FairChain::hold_at_jumps(const SampleChain& chain, const SampleChain& moved
 
 /// Whether a place of a sample is between the walls, in the sample's own part of the band.
 bool FairChain::is_inside(const SampleChain& chain, std::size_t i, const BandPlace& place) const {
-  return place.distance <= place.wall &&
-         (chain.drawn.empty() || std::isnan(place.arc) || band_->is_own(place, chain.drawn[i]));
+  return place.distance <= place.wall && (chain.drawn.empty() || std::isnan(place.arc) ||
+                                          band_->is_same_strand(place, chain.drawn[i]));
 }
 
 /// Holds the samples that are inside and that the step leads outside; true if there are any.
@@ -371,7 +373,7 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
   assemble(chain);
   held_.assign(chain.fixed.begin(), chain.fixed.end());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (is_loose(chain, i) && reach_.empty()) held_[i] = 1;
+    if (is_freed(chain, i) && reach_.empty()) held_[i] = 1;
   }
   std::vector<double> left, now;
   std::vector<BandPlace> places;
@@ -392,7 +394,7 @@ bool FairChain::step(SampleChain& chain, SampleTrail* trail) {
     }
     offsets = offsets_;
     for (std::size_t i = 0; i < left.size(); ++i) offsets[i] += left[i];
-    measure(move->chain, offsets, move->anew, places);
+    measure(move->chain, offsets, move->changed, places);
     if (holds < kHolds && hold_leaving(chain, move->chain, places)) {
       ++holds;
       --trial;
@@ -439,7 +441,7 @@ bool FairChain::stiffen(const SampleChain& chain) {
   return !samples.empty();
 }
 
-void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
+void FairChain::run(SampleChain& chain, SampleTrail* trail, ProgressPoller& poller) {
   stiffness_.resize(chain.size(), options_.stiffness);
   offsets_.resize(chain.size(), 0);
   damping_ = 1e-2;
@@ -448,15 +450,15 @@ void FairChain::run(SampleChain& chain, SampleTrail* trail, Asker& asker) {
   constexpr std::size_t kMostPassed = 1'000;  // faces, for each sample; drawings of hands pass 200
   int failed = 0;
   for (int iteration = 0; iteration < options_.max_iterations && failed < 3; ++iteration) {
-    lost_ = passed_ > kMostPassed * chain.size();
-    if (lost_) return;
-    asker.did(chain.size() + chain.crossed.size() / 4);
+    passes_too_many_faces_ = passed_ > kMostPassed * chain.size();
+    if (passes_too_many_faces_) return;
+    poller.add_work(chain.size() + chain.crossed.size() / 4);
     if (iteration == 0 || has_legs()) {
       balance(chain);
       energies(chain, places_, energies_);
       energy_ = std::accumulate(energies_.begin(), energies_.end(), 0.0);
     }
-    if (asker.ends_early()) return;
+    if (poller.ends_early()) return;
     const double last = energy_;
     if (step(chain, trail)) {
       failed = 0;

@@ -16,7 +16,7 @@
 namespace talweg {
 
 struct FairOptions {
-  double middle = 1e-3;         ///< β
+  double centering = 1e-3;      ///< β
   double stiffness = 10;        ///< ρ, of the walls
   double felt = 0.8;            ///< distance of the felt walls, relative to the band's walls
   double tolerance = 3e-3;      ///< relative gain in energy below which the run ends
@@ -43,8 +43,8 @@ class FairChain {
             const FairOptions& options)
       : maker_(&maker), band_(band), options_(options), curvature_(&curvature) {}
 
-  /// Refers to the tension. `reach`: per sample, the largest offset of a loose sample, mesh units;
-  /// loose samples stay if `reach` is empty.
+  /// Refers to the tension. `reach`: per sample, the largest offset of a freed sample, mesh units;
+  /// freed samples stay if `reach` is empty.
   void set_legs(const LegTension& tension, std::vector<double> reach = {}) {
     legs_ = &tension;
     reach_ = std::move(reach);
@@ -52,8 +52,8 @@ class FairChain {
 
   /// Makes steps until the energy hardly falls. The chain keeps its number of samples. The ways of
   /// the samples are appended to the trail, unless it is null. Ends early, after a whole step or
-  /// before the first, when the asker's budget is used up. Throws Cancelled.
-  void run(SampleChain& chain, SampleTrail* trail, Asker& asker);
+  /// before the first, when the poller's budget is used up. Throws Cancelled.
+  void run(SampleChain& chain, SampleTrail* trail, ProgressPoller& poller);
   /// Makes the walls stiffer where samples of the chain are beyond the band's walls after run(), or
   /// almost; true if there are such samples.
   bool stiffen(const SampleChain& chain);
@@ -62,13 +62,13 @@ class FairChain {
   [[nodiscard]] const FairOptions& options() const { return options_; }
   /// Whether the last run ended because the chain passes too many faces: in a fan of needles around
   /// a distant vertex, each step passes thousands of faces.
-  [[nodiscard]] bool is_lost() const { return lost_; }
+  [[nodiscard]] bool passes_too_many_faces() const { return passes_too_many_faces_; }
   /// κ₀ of a chain without legs, 1 / mesh units.
   [[nodiscard]] static double mean_curvature(const SampleChain& chain);
   /// Per sample: the sum of its steps to the left, mesh units.
   [[nodiscard]] const std::vector<double>& offsets() const { return offsets_; }
   /// The tension t of the legs with a LegTension::factor() of 1, 1 / mesh units².
-  [[nodiscard]] double tension() const { return common_pull_; }
+  [[nodiscard]] double tension() const { return tension_; }
 
  private:
   struct Row {
@@ -76,15 +76,15 @@ class FairChain {
     double weight = 0;                                 ///< wᵢ
   };
   [[nodiscard]] bool has_legs() const { return legs_ != nullptr; }
-  [[nodiscard]] static bool is_loose(const SampleChain& chain, std::size_t i) {
-    return !chain.loose.empty() && chain.loose[i];
+  [[nodiscard]] static bool is_freed(const SampleChain& chain, std::size_t i) {
+    return !chain.freed.empty() && chain.freed[i];
   }
   [[nodiscard]] bool is_on_leg(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double mean_of(const SampleChain& chain) const;
   [[nodiscard]] BandPlace place_of(const SampleChain& chain, std::size_t i, double offset) const;
   void measure(const SampleChain& chain, const std::vector<double>& offsets,
-               const std::vector<bool>& anew, std::vector<BandPlace>& places) const;
-  [[nodiscard]] double pull_at(const SampleChain& chain, std::size_t i) const;
+               const std::vector<bool>& changed, std::vector<BandPlace>& places) const;
+  [[nodiscard]] double tension_energy_at(const SampleChain& chain, std::size_t i) const;
   [[nodiscard]] double bend_at(const SampleChain& chain, std::size_t join) const;
   struct LegBending {
     double bending = 0, length = 0;  ///< 1 / mesh units, mesh units
@@ -96,7 +96,7 @@ class FairChain {
                 std::vector<double>& energies) const;
   void set_rows(const SampleChain& chain);
   void assemble(const SampleChain& chain);
-  void add_pull(const SampleChain& chain);
+  void add_tension(const SampleChain& chain);
   void add_bends(const SampleChain& chain);
   void add_walls(const SampleChain& chain, BandSystem& system) const;
   bool solve(const SampleChain& chain, bool first, std::vector<double>& left);
@@ -115,13 +115,13 @@ class FairChain {
   StripCurvature* curvature_;
   const LegTension* legs_ = nullptr;
   std::vector<double> reach_;
-  std::vector<double> pull_;  // per join: t; empty without legs
-  double common_pull_ = 0;
+  std::vector<double> tensions_;  // per join: t; empty without legs
+  double tension_ = 0;
   std::vector<double> offsets_;
   double damping_ = 1e-2;
   std::vector<BandPlace> places_;
   std::size_t passed_ = 0;  // faces, by joins and steps
-  bool lost_ = false;
+  bool passes_too_many_faces_ = false;
   double energy_ = 0;             // 1 / mesh units
   std::vector<double> energies_;  // per sample
   std::vector<Row> rows_;

@@ -164,8 +164,9 @@ std::vector<SurfacePoint> junctions(const JoinedCurves& joined,
   return result;
 }
 
-std::vector<SurfaceCurve> parted(const JoinedCurves& joined,
-                                 std::span<const SurfacePoint> junctions, SurfaceCurve curve) {
+std::vector<SurfaceCurve> split_at_junctions(const JoinedCurves& joined,
+                                             std::span<const SurfacePoint> junctions,
+                                             SurfaceCurve curve) {
   std::vector<SurfaceCurve> result;
   if (!joined.is_joined()) {
     result.push_back(std::move(curve));

@@ -44,7 +44,8 @@ std::vector<SurfacePoint> junctions(const JoinedCurves& joined,
                                     std::span<const SurfaceCurve> curves);
 /// Splits a curve that passes the junctions in order into its parts, each in the direction of its
 /// own curve; a curve alone stays whole.
-std::vector<SurfaceCurve> parted(const JoinedCurves& joined,
-                                 std::span<const SurfacePoint> junctions, SurfaceCurve curve);
+std::vector<SurfaceCurve> split_at_junctions(const JoinedCurves& joined,
+                                             std::span<const SurfacePoint> junctions,
+                                             SurfaceCurve curve);
 
 }  // namespace talweg

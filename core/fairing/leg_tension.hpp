@@ -13,9 +13,9 @@ namespace talweg {
 struct LegTension {
   /// c >= 0: legs minimise ∫κ² ds · length^c. The minimum does not change when a fixed point is
   /// inserted on it, and does not depend on the unit of length.
-  double relative = 0;
+  double length_exponent = 0;
   std::vector<bool> is_leg;        ///< per stretch; empty without legs
-  std::vector<double> stronger;    ///< per stretch: factor of its tension, >= 1
+  std::vector<double> factors;     ///< per stretch: factor of its tension, >= 1
   std::vector<double> tolerances;  ///< per fixed point, mesh units
   /// The tension t, 1 / mesh units²; replaces the balanced tension c ∫κ² ds / length.
   std::optional<double> tension;
@@ -25,7 +25,7 @@ struct LegTension {
     return join.stretch < is_leg.size() && is_leg[join.stretch];
   }
   [[nodiscard]] double factor(const ChainJoin& join) const {
-    return join.stretch < stronger.size() ? stronger[join.stretch] : 1;
+    return join.stretch < factors.size() ? factors[join.stretch] : 1;
   }
 };
 

@@ -115,7 +115,7 @@ std::vector<SurfacePoint> SaddlePassing::beside(const SurfacePoint& before, Vert
   return points;
 }
 
-SurfaceCurve SaddlePassing::led_past(const std::vector<KeptPoint>& points, bool closed) {
+SurfaceCurve SaddlePassing::moved_off_saddles(const std::vector<KeptPoint>& points, bool closed) {
   const std::size_t n = points.size();
   SurfaceCurve curve{closed, {}};
   const auto may_move = [&](std::size_t i) {

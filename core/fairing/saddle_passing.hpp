@@ -17,10 +17,10 @@ class SaddlePassing {
  public:
   explicit SaddlePassing(const Surface& surface) : surface_(&surface), lines_(surface) {}
 
-  /// The curve through these points, led past the saddle vertices at which it need not stay. Each
+  /// The curve through these points, moved off the saddle vertices at which it need not stay. Each
   /// point and the next share a face, as in `points`. The ends of an open curve stay. O(points +
   /// degrees of the passed vertices).
-  SurfaceCurve led_past(const std::vector<KeptPoint>& points, bool closed);
+  SurfaceCurve moved_off_saddles(const std::vector<KeptPoint>& points, bool closed);
 
  private:
   /// The replacement of a point at a vertex: points beside the vertex, 1/100 as far from it as the

@@ -63,8 +63,8 @@ bool ChainMaker::add_join(SampleChain& chain, const FaceCoordinates& from,
   join.first = static_cast<std::uint32_t>(chain.crossed.size());
   join.count = static_cast<std::uint32_t>(strip_.size());
   join.bends = !line.bends.empty();
-  join.first_leg = line.first_leg;
-  join.last_leg = line.last_leg;
+  join.to_first_bend = line.to_first_bend;
+  join.from_last_bend = line.from_last_bend;
   if (join.bends) {
     join.first_turn = turn_at(line.bends.front(), line.turns.front());
     join.last_turn = turn_at(line.bends.back(), line.turns.back());
@@ -261,10 +261,10 @@ std::optional<ChainMove> ChainMaker::moved_left(const SampleChain& chain,
   std::vector<SampleStep> steps(chain.size());
   ChainMove result;
   result.left.assign(left.begin(), left.end());
-  result.anew.assign(chain.size(), true);
+  result.changed.assign(chain.size(), true);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (other != nullptr) result.anew[i] = left[i] != other->left[i];
-    if (chain.fixed[i] || !result.anew[i]) continue;
+    if (other != nullptr) result.changed[i] = left[i] != other->left[i];
+    if (chain.fixed[i] || !result.changed[i]) continue;
     const PlanePoint side = turned_left(chain.tangent(i));
     steps[i] = {left[i] < 0 ? -1 * side : side, std::abs(left[i])};
   }
@@ -275,12 +275,12 @@ std::optional<ChainMove> ChainMaker::moved_left(const SampleChain& chain,
 std::optional<SampleChain> ChainMaker::moved(const SampleChain& chain,
                                              std::span<const SampleStep> steps) {
   ChainMove result;
-  result.anew.assign(chain.size(), true);
+  result.changed.assign(chain.size(), true);
   if (!move(chain, steps, nullptr, result)) return std::nullopt;
   return std::move(result.chain);
 }
 
-/// Moves the samples that move.anew marks, and copies the other samples from `other`.
+/// Moves the samples that move.changed marks, and copies the other samples from `other`.
 bool ChainMaker::walk(const SampleChain& chain, std::span<const SampleStep> steps,
                       const ChainMove* other, ChainMove& move) {
   move.chain.samples = chain.samples;
@@ -288,7 +288,7 @@ bool ChainMaker::walk(const SampleChain& chain, std::span<const SampleStep> step
   move.first.assign(1, 0);
   move.first.reserve(chain.size() + 1);
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (other != nullptr && !move.anew[i]) {
+    if (other != nullptr && !move.changed[i]) {
       const auto way = other->way(i);
       move.walks.insert(move.walks.end(), way.begin(), way.end());
       move.chain.samples[i] = other->chain.samples[i];
@@ -310,13 +310,13 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
   result.fixed_points = chain.fixed_points;
   result.fixed = chain.fixed;
   result.corners = chain.corners;
-  result.loose = chain.loose;
+  result.freed = chain.freed;
   result.drawn = chain.drawn;
   result.drawn_length = chain.drawn_length;
   if (!walk(chain, steps, other, move)) return false;
   result.joins.reserve(chain.joins.size());
   result.crossed.reserve(chain.crossed.size() + chain.size() / 8);
-  const std::vector<bool> walked = move.anew;
+  const std::vector<bool> walked = move.changed;
   for (std::size_t i = 0; i < chain.joins.size(); ++i) {
     const std::size_t j = chain.after(i);
     if (other != nullptr && !walked[i] && !walked[j]) {
@@ -327,7 +327,7 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
       result.crossed.insert(result.crossed.end(), strip.begin(), strip.end());
       continue;
     }
-    move.anew[i] = move.anew[j] = true;
+    move.changed[i] = move.changed[j] = true;
     const ChainJoin& old = chain.joins[i];
     strip_.clear();
     add_reversed(strip_, move.way(i));
@@ -344,21 +344,21 @@ bool ChainMaker::move(const SampleChain& chain, std::span<const SampleStep> step
 
 /// A fixed sample may have joins in different faces; the freed sample lies in the face of the join
 /// after it.
-std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
-                                                const std::vector<bool>& loose) {
+std::optional<SampleChain> ChainMaker::with_freed(const SampleChain& chain,
+                                                  const std::vector<bool>& freed) {
   SampleChain result;
   result.closed = chain.closed;
   result.corners = chain.corners;
-  result.loose = loose;
+  result.freed = freed;
   result.drawn = chain.drawn;
   result.drawn_length = chain.drawn_length;
   result.fixed = chain.fixed;
   result.samples = chain.samples;
   std::size_t passed = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.fixed[i] && !loose[i]) result.fixed_points.push_back(chain.fixed_points[passed]);
+    if (chain.fixed[i] && !freed[i]) result.fixed_points.push_back(chain.fixed_points[passed]);
     if (chain.fixed[i]) ++passed;
-    if (!loose[i]) continue;
+    if (!freed[i]) continue;
     result.fixed[i] = false;
     result.samples[i] = moved_inside(chain.join_after(i).from);
   }
@@ -367,14 +367,14 @@ std::optional<SampleChain> ChainMaker::loosened(const SampleChain& chain,
     const ChainJoin& old = chain.joins[i];
     const auto strip = chain.strip(old);
     strip_.assign(strip.begin(), strip.end());
-    if (loose[j]) {
+    if (freed[j]) {
       const auto at = SurfacePoint::from_barycentric(*surface_, old.to.face, old.to.barycentric);
       side_.clear();
       cross_at(*surface_, at, old.to.face, result.samples[j].face, side_);
       add_all(strip_, side_);
     }
-    if (!add_join(result, loose[i] ? result.samples[i] : old.from,
-                  loose[j] ? result.samples[j] : old.to, old.stretch)) {
+    if (!add_join(result, freed[i] ? result.samples[i] : old.from,
+                  freed[j] ? result.samples[j] : old.to, old.stretch)) {
       return std::nullopt;
     }
   }
@@ -392,7 +392,7 @@ std::optional<SampleChain> ChainMaker::between(const SampleChain& from, const Sa
     strip_ = trail[i];
     const StripLine line = lines_.join(from.samples[i], to.samples[i], strip_);
     if (!line.found) return std::nullopt;
-    steps[i] = {line.start, parts[i] * (line.bends.empty() ? line.length : line.first_leg)};
+    steps[i] = {line.start, parts[i] * (line.bends.empty() ? line.length : line.to_first_bend)};
   }
   return moved(from, steps);
 }
@@ -425,23 +425,24 @@ std::optional<SampleChain> ChainMaker::divided(const SampleChain& chain,
   return result;
 }
 
-/// Appends samples beside a straight leg, on the cubic with the leg's slopes at both ends. Each
-/// inserted sample has its way from the start of the leg.
-bool ChainMaker::insert_beside(const Leg& leg, int parts, std::vector<Inserted>& inserted) {
-  WalkEnd on{leg.from, leg.direction, 0};
+/// Appends samples beside a straight piece, on the cubic with the piece's slopes at both ends. Each
+/// inserted sample has its way from the start of the piece.
+bool ChainMaker::insert_beside(const StraightPiece& piece, int parts,
+                               std::vector<Inserted>& inserted) {
+  WalkEnd on{piece.from, piece.direction, 0};
   FaceStrip along;
   for (int k = 1; k < parts; ++k) {
     const double u = static_cast<double>(k) / parts;
-    const double y =
-        leg.length * (leg.start_slope * u * (1 - u) * (1 - u) - leg.end_slope * u * u * (1 - u));
-    on = walk_straight(*surface_, on.at, on.direction, leg.length / parts, along);
+    const double y = piece.length * (piece.start_slope * u * (1 - u) * (1 - u) -
+                                     piece.end_slope * u * u * (1 - u));
+    on = walk_straight(*surface_, on.at, on.direction, piece.length / parts, along);
     if (on.walked < 0) return false;
     const PlanePoint side = turned_left(on.direction);
     side_.clear();
     const WalkEnd end =
         walk_straight(*surface_, on.at, y < 0 ? -1 * side : side, std::abs(y), side_);
     if (end.walked < 0) return false;
-    inserted.push_back({end.at, along, leg.backwards});
+    inserted.push_back({end.at, along, piece.backwards});
     add_all(inserted.back().way, side_);
   }
   return true;
@@ -460,11 +461,12 @@ bool ChainMaker::divide(const SampleChain& chain, std::size_t i, int parts, Samp
   const double m0 = free ? 0 : slope(i, -1), m1 = stop ? 0 : slope(j, 1);
   std::vector<Inserted> inserted;
   if (!join.bends) {
-    const Leg leg{join.from, join.start, join.length, free ? -m1 / 2 : m0, stop ? -m0 / 2 : m1};
-    if (!insert_beside(leg, parts, inserted)) return false;
+    const StraightPiece whole{join.from, join.start, join.length, free ? -m1 / 2 : m0,
+                              stop ? -m0 / 2 : m1};
+    if (!insert_beside(whole, parts, inserted)) return false;
   } else {  // the join turns freely about a vertex
-    const Leg first{join.from, join.start, join.first_leg, m0, -m0 / 2};
-    const Leg last{join.to, -1 * join.end, join.last_leg, m1, -m1 / 2, true};
+    const StraightPiece first{join.from, join.start, join.to_first_bend, m0, -m0 / 2};
+    const StraightPiece last{join.to, -1 * join.end, join.from_last_bend, m1, -m1 / 2, true};
     if (!insert_beside(first, parts, inserted)) return false;
     const std::size_t n = inserted.size();
     if (!insert_beside(last, parts, inserted)) return false;

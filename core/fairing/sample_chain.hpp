@@ -22,12 +22,12 @@ struct ChainJoin {
   double length = 0;                   ///< mesh units
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
   bool bends = false;                  ///< whether it bends at a vertex
-  double first_leg = 0, last_leg = 0;  ///< to the first and from the last bend; else the length
+  double to_first_bend = 0, from_last_bend = 0;  ///< lengths; of the whole join without bends
   /// The turns at the first and at the last bend, which may be the same bend, on the side with the
   /// smaller turn; radians, positive to the left.
   double first_turn = 0, last_turn = 0;
   bool bends_once = false;
-  std::uint32_t stretch = 0;  ///< counted by the fixed points before loosened()
+  std::uint32_t stretch = 0;  ///< counted by the fixed points before with_freed()
 };
 
 /// The ends of an open chain are fixed, and other samples may be. Free samples lie inside faces.
@@ -37,7 +37,7 @@ struct SampleChain {
   std::vector<bool> fixed;
   std::vector<SurfacePoint> fixed_points;  ///< the points of the fixed samples, in order
   std::vector<bool> corners;               ///< unless empty: fixed samples with a free turn
-  std::vector<bool> loose;                 ///< unless empty: samples freed by loosened()
+  std::vector<bool> freed;                 ///< unless empty: samples freed by with_freed()
   std::vector<double> turns;               ///< radians, positive to the left; 0 at ends
   /// Unless empty: the place of each sample on the drawing (DrawnLine), not decreasing.
   std::vector<double> drawn;
@@ -93,7 +93,7 @@ struct ChainMove {
   FaceStrip walks;                   ///< the ways of the samples, one after the other
   std::vector<std::uint32_t> first;  ///< per sample: start of its way in `walks`; last, the end
   /// Per sample: whether the sample or one of its joins differs from the move that was reused.
-  std::vector<bool> anew;
+  std::vector<bool> changed;
 
   [[nodiscard]] std::span<const HalfedgeId> way(std::size_t i) const {
     return std::span(walks).subspan(first[i], first[i + 1] - first[i]);
@@ -132,8 +132,8 @@ class ChainMaker {
   /// `from`. Without a trail, the chain that is nearer by the first fraction.
   std::optional<SampleChain> between(const SampleChain& from, const SampleChain& to,
                                      const SampleTrail& trail, std::span<const double> parts);
-  /// The chain in which the samples that `loose` marks are free.
-  std::optional<SampleChain> loosened(const SampleChain& chain, const std::vector<bool>& loose);
+  /// The chain in which the samples that `freed` marks are free.
+  std::optional<SampleChain> with_freed(const SampleChain& chain, const std::vector<bool>& freed);
   /// The chain with each join divided into `parts` joins, on a cubic through the chain's samples
   /// with its tangents: one number for each join, or one for all.
   std::optional<SampleChain> divided(const SampleChain& chain, std::span<const int> parts);
@@ -155,7 +155,7 @@ class ChainMaker {
   bool add_join(SampleChain& chain, const FaceCoordinates& from, const FaceCoordinates& to,
                 std::uint32_t stretch);
   /// A straight piece of a join, from one of its ends.
-  struct Leg {
+  struct StraightPiece {
     FaceCoordinates from;
     PlanePoint direction;
     double length = 0, start_slope = 0, end_slope = 0;
@@ -168,7 +168,7 @@ class ChainMaker {
   };
   WalkEnd walk_off_boundary(const FaceCoordinates& from, const SampleStep& step, double off,
                             FaceStrip& crossed) const;
-  bool insert_beside(const Leg& leg, int parts, std::vector<Inserted>& inserted);
+  bool insert_beside(const StraightPiece& piece, int parts, std::vector<Inserted>& inserted);
   bool divide(const SampleChain& chain, std::size_t join, int parts, SampleChain& result);
 
   const Surface* surface_;

@@ -400,7 +400,7 @@ class Network {
       region.area_before += parts_.parts[p].area;
       region.area_after += regions_.area[p];
       region.held = region.held || held_[p];
-      region.parts_after += regions_.heaps[p];
+      region.parts_after += regions_.pieces[p];
     }
     std::vector<LabelRegion> table;
     table.reserve(regions.size());
@@ -478,7 +478,7 @@ LabelNetwork smooth_labels(const std::shared_ptr<const OpenedMesh>& mesh,
                            const Progress& progress) {
   options.validate();
   try {
-    const Asker asked(progress, "borders");
+    const ProgressPoller polled(progress, "borders");
     return Network(mesh, labels, options, progress).run();
   } catch (const Cancelled&) {
     LabelNetwork cancelled;

@@ -179,21 +179,21 @@ struct LinkSide {
 class Follower {
  public:
   Follower(const CutMesh& cut, const RegionParts& drawn, std::span<const LabelBorder> borders)
-      : cut_(cut), drawn_(drawn), borders_(borders), heaps_(cut.lists.triangles.size()) {}
+      : cut_(cut), drawn_(drawn), borders_(borders), pieces_(cut.lists.triangles.size()) {}
 
   CutRegions run() {
     gather();
-    name_heaps();
+    name_pieces();
     check_sides();
     check_meetings();
     CutRegions result;
     result.area.assign(drawn_.parts.size(), 0);
-    result.heaps.assign(drawn_.parts.size(), 0);
+    result.pieces.assign(drawn_.parts.size(), 0);
     for (std::uint32_t f = 0; f < cut_.lists.triangles.size(); ++f) {
-      result.part_of_face.push_back(owner_[heaps_.find(f)]);
+      result.part_of_face.push_back(owner_[pieces_.find(f)]);
       const std::uint32_t part = result.part_of_face.back();
       result.area[part] += area_of(cut_.lists, cut_.lists.triangles[f]);
-      if (heaps_.find(f) == f) ++result.heaps[part];
+      if (pieces_.find(f) == f) ++result.pieces[part];
     }
     std::sort(wrong_.begin(), wrong_.end());
     wrong_.erase(std::unique(wrong_.begin(), wrong_.end()), wrong_.end());
@@ -214,7 +214,7 @@ class Follower {
         if (at.face != kNoIndex) (at.rising ? rising : falling) = at.face;
       }
       if (chains == 0) {
-        if (rising != kNoIndex && falling != kNoIndex) heaps_.join(rising, falling);
+        if (rising != kNoIndex && falling != kNoIndex) pieces_.join(rising, falling);
         return;
       }
       const double length = (cut_.lists.points[low] - cut_.lists.points[here[0].high]).norm();
@@ -228,7 +228,7 @@ class Follower {
         if (on_right != kNoIndex) sides_.push_back({at.chain, right, on_right, length});
       }
     });
-    for (LinkSide& side : sides_) side.face = heaps_.find(side.face);
+    for (LinkSide& side : sides_) side.face = pieces_.find(side.face);
   }
 
   /// Assigns each component to the part that borders the greatest length of its boundary.

@@ -46,8 +46,8 @@ std::vector<SurfacePoint> LocalTightening::tighten(const SurfaceCurve& drawn,
                                                    const SurfaceCurve& result, double bound,
                                                    std::span<double> slack,
                                                    const Progress& progress) {
-  Asker asker(progress, "measure");
-  const AskedDuring asked(distance_, asker);
+  ProgressPoller poller(progress, "measure");
+  const ScopedPoller scoped(distance_, poller);
   struct Place {
     double arc, apart;
   };

@@ -216,11 +216,11 @@ std::vector<double> convolve_with_bump(const Surface& surface, std::span<const d
 
   const std::vector<Ring> rings = rings_of(options.radius, options.samples);
   std::vector<Corner> corners;
-  Asker asker(progress, "solve");
+  ProgressPoller poller(progress, "solve");
   const auto rays = static_cast<std::size_t>(options.rays);
   for (std::size_t v = 0; v < result.size(); ++v) {
-    asker.is_at(static_cast<double>(v) / static_cast<double>(result.size()));
-    asker.did(rays * rings.size());
+    poller.set_fraction(static_cast<double>(v) / static_cast<double>(result.size()));
+    poller.add_work(rays * rings.size());
     corners_about(surface, VertexId{v}, corners);
     if (corners.empty() || std::isinf(values[v])) continue;
     result[v] += mean_change(surface, values, corners, rings, options.rays);

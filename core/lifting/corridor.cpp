@@ -86,9 +86,9 @@ std::array<double, 2> Corridor::at_vertex(VertexId v) const {
   return lifted(distance_->at_vertex(v));
 }
 
-std::array<double, 2> Corridor::at_vertex_roughly(VertexId v, double exact,
+std::array<double, 2> Corridor::at_vertex_bounded(VertexId v, double exact,
                                                   const std::vector<bool>& exactly) const {
-  const PolylineDistance::Nearest nearest = distance_->at_vertex_roughly(v, exact);
+  const PolylineDistance::Nearest nearest = distance_->at_vertex_bounded(v, exact);
   return exactly[nearest.curve] ? at_vertex(v) : lifted(nearest);
 }
 

@@ -31,8 +31,8 @@ class Corridor {
     /// Unless empty, replaces `slack`: ε at each point of the curve, mesh units, >= 0, linear in
     /// the arc length between points, also from the last to the first point of a closed curve.
     std::vector<double> slack_at;
-    bool given = false;    ///< whether the options set this slack
-    double trembling = 0;  ///< mesh units: the slack before nearby curves narrowed it
+    bool slack_from_options = false;  ///< whether the options set this slack
+    double slack_before_gaps = 0;     ///< mesh units: the slack before nearby curves narrowed it
 
     friend bool operator==(const Valley&, const Valley&) = default;
   };
@@ -56,7 +56,7 @@ class Corridor {
   /// path along edges, which is not less. The replacement avoids a wide band of exact distances
   /// around walls that no curve climbs. The value is exact, too, where `exactly` is true for the
   /// nearest curve.
-  std::array<double, 2> at_vertex_roughly(VertexId v, double exact,
+  std::array<double, 2> at_vertex_bounded(VertexId v, double exact,
                                           const std::vector<bool>& exactly) const;
   /// An upper bound on the relative lengthening of any edge of at least this length whose ends are
   /// no farther from the drawing than `distance`. O(curves); asks for no distance.

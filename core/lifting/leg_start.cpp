@@ -7,24 +7,24 @@ namespace {
 
 /// The indices of the fixed points along the curve, in order, from index `first` on; empty where
 /// the curve does not pass all of them. The curve may pass a fixed point again between two others.
-std::vector<std::size_t> places_from(std::size_t first, const std::vector<SurfacePoint>& fixed,
-                                     const SurfaceCurve& curve) {
+std::vector<std::size_t> indices_from(std::size_t first, const std::vector<SurfacePoint>& fixed,
+                                      const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
-  std::vector<std::size_t> places;
-  for (std::size_t steps = 0; steps < n && places.size() < fixed.size(); ++steps) {
+  std::vector<std::size_t> indices;
+  for (std::size_t steps = 0; steps < n && indices.size() < fixed.size(); ++steps) {
     const std::size_t i = (first + steps) % n;
-    if (curve.points[i] == fixed[places.size()]) places.push_back(i);
+    if (curve.points[i] == fixed[indices.size()]) indices.push_back(i);
   }
-  return places.size() == fixed.size() ? places : std::vector<std::size_t>{};
+  return indices.size() == fixed.size() ? indices : std::vector<std::size_t>{};
 }
 
-std::vector<std::size_t> places_of(const std::vector<SurfacePoint>& fixed,
-                                   const SurfaceCurve& curve) {
-  if (!curve.closed || fixed.empty()) return places_from(0, fixed, curve);
+std::vector<std::size_t> indices_of(const std::vector<SurfacePoint>& fixed,
+                                    const SurfaceCurve& curve) {
+  if (!curve.closed || fixed.empty()) return indices_from(0, fixed, curve);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {  // a loop may begin anywhere
     if (curve.points[i] != fixed.front()) continue;
-    std::vector<std::size_t> places = places_from(i, fixed, curve);
-    if (!places.empty()) return places;
+    std::vector<std::size_t> indices = indices_from(i, fixed, curve);
+    if (!indices.empty()) return indices;
   }
   return {};
 }
@@ -33,16 +33,16 @@ std::vector<std::size_t> places_of(const std::vector<SurfacePoint>& fixed,
 
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight) {
-  const std::vector<std::size_t> from = places_of(legs.fixed, strokes);
-  const std::vector<std::size_t> other = places_of(legs.fixed, straight);
+  const std::vector<std::size_t> from = indices_of(legs.fixed, strokes);
+  const std::vector<std::size_t> other = indices_of(legs.fixed, straight);
   if (from.empty() || other.empty()) return strokes;
   SurfaceCurve result{strokes.closed, {}};
   const std::size_t m = legs.fixed.size();
   for (std::size_t k = 0; k < legs.is_leg.size(); ++k) {
     const SurfaceCurve& source = legs.is_leg[k] ? straight : strokes;
-    const std::vector<std::size_t>& places = legs.is_leg[k] ? other : from;
+    const std::vector<std::size_t>& indices = legs.is_leg[k] ? other : from;
     const std::size_t n = source.points.size();
-    for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) {
+    for (std::size_t i = indices[k]; i != indices[(k + 1) % m]; i = (i + 1) % n) {
       result.points.push_back(source.points[i]);
     }
   }
@@ -51,15 +51,15 @@ SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
 }
 
 std::vector<SurfaceCurve> stretches_of(const DrawnLegs& legs, const SurfaceCurve& curve) {
-  const std::vector<std::size_t> places = places_of(legs.fixed, curve);
+  const std::vector<std::size_t> indices = indices_of(legs.fixed, curve);
   std::vector<SurfaceCurve> stretches;
-  const std::size_t n = curve.points.size(), m = places.size();
+  const std::size_t n = curve.points.size(), m = indices.size();
   for (std::size_t k = 0; m > 0 && k < legs.is_leg.size(); ++k) {
     SurfaceCurve& stretch = stretches.emplace_back();
-    for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) {
+    for (std::size_t i = indices[k]; i != indices[(k + 1) % m]; i = (i + 1) % n) {
       stretch.points.push_back(curve.points[i]);
     }
-    stretch.points.push_back(curve.points[places[(k + 1) % m]]);
+    stretch.points.push_back(curve.points[indices[(k + 1) % m]]);
   }
   return stretches;
 }
@@ -75,41 +75,41 @@ std::vector<SurfaceCurve> strokes_of(const DrawnLegs& legs, const SurfaceCurve& 
 }
 
 std::vector<bool> on_strokes(const DrawnLegs& legs, const SurfaceCurve& curve) {
-  const std::vector<std::size_t> places = places_of(legs.fixed, curve);
-  const std::size_t n = curve.points.size(), m = places.size();
+  const std::vector<std::size_t> indices = indices_of(legs.fixed, curve);
+  const std::size_t n = curve.points.size(), m = indices.size();
   std::vector<bool> on(n, true);
   for (std::size_t k = 0; m > 0 && k < legs.is_leg.size(); ++k) {
     if (!legs.is_leg[k]) continue;
-    const std::size_t end = places[(k + 1) % m];
-    for (std::size_t i = (places[k] + 1) % n; i != end; i = (i + 1) % n) on[i] = false;
+    const std::size_t end = indices[(k + 1) % m];
+    for (std::size_t i = (indices[k] + 1) % n; i != end; i = (i + 1) % n) on[i] = false;
   }
   return on;
 }
 
 std::vector<std::size_t> stretches_along(const std::vector<SurfacePoint>& fixed,
                                          const SurfaceCurve& curve) {
-  const std::vector<std::size_t> places = places_of(fixed, curve);
-  if (places.empty()) return {};
-  const std::size_t n = curve.points.size(), m = places.size();
+  const std::vector<std::size_t> indices = indices_of(fixed, curve);
+  if (indices.empty()) return {};
+  const std::size_t n = curve.points.size(), m = indices.size();
   std::vector<std::size_t> stretches(n, 0);
   for (std::size_t k = 0; k + (curve.closed ? 0 : 1) < m; ++k) {
-    for (std::size_t i = places[k]; i != places[(k + 1) % m]; i = (i + 1) % n) stretches[i] = k;
+    for (std::size_t i = indices[k]; i != indices[(k + 1) % m]; i = (i + 1) % n) stretches[i] = k;
   }
-  if (!curve.closed && m > 1) stretches[places.back()] = m - 2;
+  if (!curve.closed && m > 1) stretches[indices.back()] = m - 2;
   return stretches;
 }
 
 std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve,
-                                 double relative) {
+                                 double length_exponent) {
   LegStart start;
-  start.fixed = places_of(legs.fixed, curve);
+  start.fixed = indices_of(legs.fixed, curve);
   if (start.fixed.empty()) return std::nullopt;
   const std::size_t m = start.fixed.size();
   // The first fixed point along the curve may be another one than legs.fixed[0].
   const auto first = static_cast<std::size_t>(
       std::min_element(start.fixed.begin(), start.fixed.end()) - start.fixed.begin());
   std::sort(start.fixed.begin(), start.fixed.end());
-  start.tension.relative = relative;
+  start.tension.length_exponent = length_exponent;
   for (std::size_t k = 0; k < m; ++k) {
     start.tension.tolerances.push_back(legs.tolerances[(first + k) % m]);
   }

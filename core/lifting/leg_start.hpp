@@ -35,8 +35,9 @@ struct LegStart {
   std::vector<std::size_t> fixed;  ///< indices of curve points, ascending
 };
 /// The legs of a curve in the curve's own order; none where the curve does not pass the fixed
-/// points in their order. `relative`: see LegTension.
-std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve, double relative);
+/// points in their order. `length_exponent`: see LegTension.
+std::optional<LegStart> start_on(const DrawnLegs& legs, const SurfaceCurve& curve,
+                                 double length_exponent);
 
 /// Per point of a curve: the number of the stretch that contains the point, or begins there. Empty
 /// where the curve does not pass the fixed points in their order.

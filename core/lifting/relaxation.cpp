@@ -114,15 +114,15 @@ void RelaxationOptions::validate() const {
 void relax(const SurfaceMesh& mesh, std::span<SurfaceCurve> curves,
            const RelaxationOptions& options, const Progress& progress) {
   options.validate();
-  Asker asker(progress, "relax");
+  ProgressPoller poller(progress, "relax");
   if (options.rounds == 0) return;
   Sliders sliders(mesh, curves, options.fixed);
   std::vector<std::vector<Point>> points;
   for (const SurfaceCurve& curve : curves) points.push_back(positions_of(mesh, curve));
   std::vector<double> t(sliders.all().size());
   for (int round = 0; round < options.rounds; ++round) {
-    asker.is_at(static_cast<double>(round) / options.rounds);
-    asker.did(t.size());
+    poller.set_fraction(static_cast<double>(round) / options.rounds);
+    poller.add_work(t.size());
     sliders.limit();
     for (std::size_t k = 0; k < t.size(); ++k) {
       const Slider& s = sliders.all()[k];

@@ -26,28 +26,28 @@ void for_each_spoke(const Surface& surface, VertexId v, const Visit& visit) {
 
 /// The touched vertices and their neighbours, sorted, with the length of the shortest path along
 /// edges from the curves to each.
-class Ways {
+class EdgePaths {
  public:
-  Ways(const Surface& surface, std::span<const VertexId> touched, Asker& asker)
-      : surface_(surface), asker_(asker) {
+  EdgePaths(const Surface& surface, std::span<const VertexId> touched, ProgressPoller& poller)
+      : surface_(surface), poller_(poller) {
     for (const VertexId v : touched) {
       if (v.index() >= surface.vertex_count()) continue;
-      asker_.did(kOfVertex);
+      poller_.add_work(kOfVertex);
       vertices_.push_back(v);
       for_each_spoke(surface, v, [&](HalfedgeId h) { vertices_.push_back(surface.head(h)); });
     }
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    ways_.assign(vertices_.size(), HUGE_VAL);
+    lengths_.assign(vertices_.size(), HUGE_VAL);
   }
 
-  void offer(VertexId v, double way) {
+  void offer(VertexId v, double length) {
     const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), v);
     if (found == vertices_.end() || *found != v) return;
     const auto i = static_cast<std::size_t>(found - vertices_.begin());
-    if (!(way < ways_[i])) return;
-    ways_[i] = way;
-    queue_.emplace(way, i);
+    if (!(length < lengths_[i])) return;
+    lengths_[i] = length;
+    queue_.emplace(length, i);
   }
 
   /// The largest path length, after all sources have been offered; infinite if a vertex is not
@@ -56,13 +56,13 @@ class Ways {
     std::size_t settled = 0;
     double last = 0;
     while (!queue_.empty()) {
-      const auto [way, i] = queue_.top();
+      const auto [length, i] = queue_.top();
       queue_.pop();
-      if (way > ways_[i]) continue;
-      asker_.did(kOfVertex);
+      if (length > lengths_[i]) continue;
+      poller_.add_work(kOfVertex);
       ++settled;
-      last = way;
-      for_each_spoke(surface_, vertices_[i], [&, from = way](HalfedgeId h) {
+      last = length;
+      for_each_spoke(surface_, vertices_[i], [&, from = length](HalfedgeId h) {
         offer(surface_.head(h), from + surface_.length(edge_of(h)));
       });
     }
@@ -83,9 +83,9 @@ class Ways {
   using Item = std::pair<double, std::size_t>;
 
   const Surface& surface_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<VertexId> vertices_;
-  std::vector<double> ways_;
+  std::vector<double> lengths_;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> queue_;
 };
 
@@ -93,23 +93,23 @@ class Ways {
 
 TouchedEdges touched_edges(const Surface& surface, std::span<const VertexId> touched,
                            std::span<const SurfaceCurve> curves, const Progress& progress) {
-  Asker asker(progress, "straighten");
-  Ways ways(surface, touched, asker);
+  ProgressPoller poller(progress, "straighten");
+  EdgePaths paths(surface, touched, poller);
   for (const SurfaceCurve& curve : curves) {
     for (const SurfacePoint& point : curve.points) {
-      asker.did(kOfVertex);
+      poller.add_work(kOfVertex);
       const FaceCoordinates at = coordinates_in(surface, point, any_face(surface, point));
       const auto corners = surface.corners(at.face);
       for (std::size_t k = 0; k < 3; ++k) {
         FaceCoordinates corner = at;
         corner.barycentric = {0, 0, 0};
         corner.barycentric[k] = 1;
-        ways.offer(corners[k], distance_in_face(surface, at, corner));
+        paths.offer(corners[k], distance_in_face(surface, at, corner));
       }
     }
   }
-  const double farthest = ways.farthest();
-  return {farthest, ways.shortest()};
+  const double farthest = paths.farthest();
+  return {farthest, paths.shortest()};
 }
 
 }  // namespace talweg

@@ -36,11 +36,11 @@ struct Sample {
 class Samples {
  public:
   Samples(const NearestSegment& to, const Progress& progress)
-      : to_(to), asker_(progress, "measure") {}
+      : to_(to), poller_(progress, "measure") {}
 
   Sample at(const Point& p) {
     constexpr std::size_t kWork = 16;
-    asker_.did(kWork);
+    poller_.add_work(kWork);
     return {p, to_.to(p)};
   }
   [[nodiscard]] const Segment& segment(const Sample& s) const {
@@ -49,7 +49,7 @@ class Samples {
 
  private:
   const NearestSegment& to_;
-  Asker asker_;
+  ProgressPoller poller_;
 };
 
 class LargestDistance {

@@ -30,13 +30,13 @@ class Measurement {
  public:
   /// Distances of `limit` and more count as infinite.
   Measurement(const Surface& surface, PolylineDistance& to, const PolylinePieces& pieces,
-              double tolerance, double limit, Asker& asker)
+              double tolerance, double limit, ProgressPoller& poller)
       : surface_(&surface),
         to_(&to),
         bounds_(surface, to, pieces),
         tolerance_(tolerance),
         limit_(limit),
-        asker_(&asker) {}
+        poller_(&poller) {}
 
   /// Adds a part of the segments. Between parts, `to` and `pieces` may be set to other curves.
 
@@ -83,7 +83,7 @@ class Measurement {
   /// Samples the distance at a point.
   double see(const SurfacePoint& point) {
     constexpr std::size_t kWork = 32;
-    asker_->did(kWork);
+    poller_->add_work(kWork);
     const double distance =
         std::isfinite(limit_) ? to_->below(limit_, point) : to_->at(point).distance;
     if (!at_ || distance > max_) {
@@ -144,7 +144,7 @@ class Measurement {
   FaceBounds bounds_;
   double tolerance_;
   double limit_;
-  Asker* asker_;
+  ProgressPoller* poller_;
   double length_ = 0, integral_ = 0;
   double max_ = 0;
   int samples_left_ = 0;  // -1: the limit cut the search off
@@ -208,13 +208,13 @@ void measure_at_once(const Sides& sides, std::span<const CurveSegment> segments,
 void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
                       std::span<const CurveSegment> segments, PolylineDistance& distance,
                       double limit, PolylinePieces& pieces, Measurement& measurement,
-                      Asker& asker) {
+                      ProgressPoller& poller) {
   LocalDistance local(mesh, sides.to, distance, limit);
   std::vector<double> reach;
   reach.reserve(segments.size());
   for (const CurveSegment& segment : segments) {
     reach.push_back(local.guess(segment));
-    asker.did(kOfGuess);
+    poller.add_work(kOfGuess);
   }
   std::size_t windows = 0;
   for (std::size_t i = 0, end = 0; i < segments.size() && measurement.is_finite(); i = end) {
@@ -227,7 +227,7 @@ void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
     end = end_of_part(segments, reach, i);
     const auto part = segments.subspan(i, end - i);
     pieces = pieces_of(mesh.surface(), local.set_near(part, std::span(reach).subspan(i, end - i)));
-    asker.did(pieces.segments.size());
+    poller.add_work(pieces.segments.size());
     measurement.add(part);
     windows += distance.window_count();
   }
@@ -238,16 +238,16 @@ void measure_by_parts(const SurfaceMesh& mesh, const Sides& sides,
 class Direction {
  public:
   Direction(const SurfaceMesh& mesh, Sides sides, PolylineDistance& distance, double limit,
-            Asker& asker)
+            ProgressPoller& poller)
       : mesh_(mesh),
         sides_(sides),
         distance_(distance),
         limit_(limit),
-        asker_(asker),
+        poller_(poller),
         segments_(segments_of(mesh.surface(), sides.from)),
         pieces_(pieces_of(mesh.surface(), sides.to)),
         measurement_(mesh.surface(), distance, pieces_,
-                     tolerance_for(segments_, sides.to, pieces_.lengths), limit, asker) {}
+                     tolerance_for(segments_, sides.to, pieces_.lengths), limit, poller) {}
 
   OneSidedSurfaceDeviation by_parts() {
     return measured([&] {
@@ -256,7 +256,7 @@ class Direction {
                       [](const auto& curve) { return curve.points.size() == 1; });
       if (!segments_.empty() && !has_point) {
         measure_by_parts(mesh_, sides_, segments_, distance_, limit_, pieces_, measurement_,
-                         asker_);
+                         poller_);
         return;
       }
       distance_.set(sides_.to);
@@ -271,9 +271,9 @@ class Direction {
  private:
   template <class Measure>
   OneSidedSurfaceDeviation measured(const Measure& measure) {
-    const AskedDuring asked(distance_, asker_);
+    const ScopedPoller scoped(distance_, poller_);
     try {
-      asker_.end_with_budget();
+      poller_.end_with_budget();
       measure();
       return measurement_.result();
     } catch (const BudgetUsedUp&) {
@@ -286,7 +286,7 @@ class Direction {
   Sides sides_;
   PolylineDistance& distance_;
   double limit_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<CurveSegment> segments_;
   PolylinePieces pieces_;
   Measurement measurement_;
@@ -301,12 +301,12 @@ OneSidedSurfaceDeviation one_sided_deviation(const Surface& surface,
                                              const Progress& progress) {
   refuse_nothing(from);
   refuse_nothing(to_curves);
-  Asker asker(progress, kStage);
-  const AskedDuring asked(to, asker);
+  ProgressPoller poller(progress, kStage);
+  const ScopedPoller scoped(to, poller);
   const std::vector<CurveSegment> segments = segments_of(surface, from);
   const PolylinePieces pieces = pieces_of(surface, to_curves);
   Measurement measurement(surface, to, pieces, tolerance_for(segments, to_curves, pieces.lengths),
-                          kNoLimit, asker);
+                          kNoLimit, poller);
   measure_at_once({from, to_curves}, segments, measurement);
   return measurement.result();
 }
@@ -342,9 +342,9 @@ SurfaceDeviation DeviationMeter::measure(std::span<const SurfaceCurve> result,
                                          PolylineDistance& to_drawn, const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  Asker asker(progress, kStage);
-  return {Direction(*mesh_, {result, drawn}, to_drawn, kNoLimit, asker).at_once(),
-          Direction(*mesh_, {drawn, result}, distance(), kNoLimit, asker).by_parts()};
+  ProgressPoller poller(progress, kStage);
+  return {Direction(*mesh_, {result, drawn}, to_drawn, kNoLimit, poller).at_once(),
+          Direction(*mesh_, {drawn, result}, distance(), kNoLimit, poller).by_parts()};
 }
 
 std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
@@ -353,13 +353,13 @@ std::optional<SurfaceDeviation> DeviationMeter::measure_below(double limit,
                                                               const Progress& progress) {
   refuse_nothing(result);
   refuse_nothing(drawn);
-  Asker asker(progress, kStage);
+  ProgressPoller poller(progress, kStage);
   const auto is_beyond = [&](const OneSidedSurfaceDeviation& side) {
     return std::isfinite(limit) && !std::isfinite(side.max);
   };
-  const auto to_drawn = Direction(*mesh_, {result, drawn}, distance(), limit, asker).by_parts();
+  const auto to_drawn = Direction(*mesh_, {result, drawn}, distance(), limit, poller).by_parts();
   if (is_beyond(to_drawn)) return std::nullopt;
-  const auto from_drawn = Direction(*mesh_, {drawn, result}, distance(), limit, asker).by_parts();
+  const auto from_drawn = Direction(*mesh_, {drawn, result}, distance(), limit, poller).by_parts();
   if (is_beyond(from_drawn)) return std::nullopt;
   return SurfaceDeviation{to_drawn, from_drawn};
 }

@@ -67,27 +67,27 @@ void keep_along(const std::vector<Point>& normals, std::vector<Point>& parts) {
 
 /// The squares of the parts along the normals, averaged over the surroundings of each vertex.
 std::vector<double> mean_squares(const VertexGraph& graph, const std::vector<Point>& normals,
-                                 const std::vector<Point>& parts, Asker& asker) {
+                                 const std::vector<Point>& parts, ProgressPoller& poller) {
   std::vector<double> squares(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const double height = parts[i].dot(normals[i]);
     squares[i] = height * height;
   }
-  spread(graph, squares, asker);
+  spread(graph, squares, poller);
   return squares;
 }
 
 Relief relief_of(const VertexGraph& graph, const SurfaceMesh& mesh, std::span<const double> scales,
-                 Asker& asker) {
+                 ProgressPoller& poller) {
   Relief relief;
   std::vector<Point> points(graph.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = mesh.point(graph.vertex(i));
-  relief.parts = finer_parts(graph, points, scales, asker);
+  relief.parts = finer_parts(graph, points, scales, poller);
   const std::vector<Point> normals = normals_without(graph, mesh, relief.parts[1]);
-  const std::vector<double> at_2 = mean_squares(graph, normals, relief.parts[0], asker);
-  const std::vector<double> at_4 = mean_squares(graph, normals, relief.parts[1], asker);
+  const std::vector<double> at_2 = mean_squares(graph, normals, relief.parts[0], poller);
+  const std::vector<double> at_4 = mean_squares(graph, normals, relief.parts[1], poller);
   std::vector<double> edges = edge_lengths(graph, mesh);
-  spread(graph, edges, asker);
+  spread(graph, edges, poller);
   relief.roughness.resize(graph.size());
   for (std::size_t i = 0; i < graph.size(); ++i) {
     const double noise = std::max(0.0, (4 * at_2[i] - at_4[i]) / 3);
@@ -138,7 +138,7 @@ std::vector<VertexId> vertices_along(const Surface& surface, std::span<const Sur
 
 double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const Progress& progress) {
-  Asker asker(progress, "embed");
+  ProgressPoller poller(progress, "embed");
   constexpr int kRings = 8;
   constexpr std::size_t kPlaces = 24;
   const std::vector<VertexId> beside = vertices_along(mesh.surface(), curves, kPlaces);
@@ -146,7 +146,7 @@ double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
   const VertexGraph graph(mesh.surface(), beside, kRings);
   constexpr std::size_t kFew = 200;  // fewer vertices cannot tell noise from shape
   if (graph.size() < kFew) return 0;
-  Relief relief = relief_of(graph, mesh, std::span(kScales).first(2), asker);
+  Relief relief = relief_of(graph, mesh, std::span(kScales).first(2), poller);
   std::vector<double>& rough = relief.roughness;
   rough.resize(beside.size());  // the seeds are the first vertices of the graph
   const auto quartile = rough.begin() + static_cast<std::ptrdiff_t>(3 * rough.size() / 4);
@@ -155,9 +155,9 @@ double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> cu
 }
 
 SurfaceMesh smooth_ground(const SurfaceMesh& mesh, const Progress& progress) {
-  Asker asker(progress, "embed");
+  ProgressPoller poller(progress, "embed");
   const VertexGraph graph(mesh.surface());
-  Relief relief = relief_of(graph, mesh, kScales, asker);
+  Relief relief = relief_of(graph, mesh, kScales, poller);
   for (std::vector<Point>& parts : relief.parts) {
     keep_along(normals_without(graph, mesh, parts), parts);
   }

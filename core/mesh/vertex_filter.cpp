@@ -118,7 +118,8 @@ void VertexGraph::connect(const Surface& surface, std::span<const std::uint32_t>
 
 std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const Point> positions,
-                                            std::span<const double> scales, Asker& asker) {
+                                            std::span<const double> scales,
+                                            ProgressPoller& poller) {
   std::vector<Point> last = rough_part(graph, positions);  // L p
   std::vector<Point> now(graph.size()), next(graph.size());
   // Degree 14 for 4 edges, 20 for 6: the error of the polynomials is at most 0.003.
@@ -137,7 +138,7 @@ std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
   add(0, last);
   add(1, now);
   for (std::size_t k = 2; k <= degree; ++k) {
-    asker.did(graph.size());
+    poller.add_work(graph.size());
     negative_means(graph, now, next);
     for (std::size_t i = 0; i < next.size(); ++i) next[i] = 2 * next[i] - last[i];
     last.swap(now);
@@ -147,11 +148,11 @@ std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
   return parts;
 }
 
-void spread(const VertexGraph& graph, std::vector<double>& values, Asker& asker) {
+void spread(const VertexGraph& graph, std::vector<double>& values, ProgressPoller& poller) {
   constexpr int kSteps = 16;
   std::vector<double> next(values.size());
   for (int step = 0; step < kSteps; ++step) {
-    asker.did(graph.size() / 4);
+    poller.add_work(graph.size() / 4);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const auto neighbours = graph.neighbours(i);
       double sum = 0;

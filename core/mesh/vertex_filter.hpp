@@ -46,7 +46,7 @@ class VertexGraph {
 /// graph). Throws Cancelled.
 std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
                                             std::span<const Point> positions,
-                                            std::span<const double> scales, Asker& asker);
+                                            std::span<const double> scales, ProgressPoller& poller);
 
 /// Replaces each value by a mean over its surroundings, about three edges wide, by 16 steps of
 /// averaging. O(16 · graph). Throws Cancelled.

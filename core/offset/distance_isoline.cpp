@@ -134,7 +134,7 @@ void IsolineTracer::look_into(FaceId face) {
     if (edge.passable) visit(surface_.face(twin(h)));
   }
   if (outer.empty() && is_near_throughout(face)) return;
-  const FaceLevel level = level_in_face(distance_.ways_into(face, beyond_), rim, choice_);
+  const FaceLevel level = level_in_face(distance_.paths_into(face, beyond_), rim, choice_);
   std::vector<std::uint32_t> all = outer;
   for (std::size_t i = outer.size(); i < level.nodes.size(); ++i) {
     all.push_back(

@@ -41,9 +41,9 @@ struct RimNode {
 
 class LevelFinder {
  public:
-  LevelFinder(const WaysIntoFace& ways, const LevelChoice& choice)
-      : ways_(ways), level_(choice.level), tolerance_(choice.tolerance) {
-    for (std::size_t i = 0; i < ways_.count(); ++i) {
+  LevelFinder(const FacePaths& paths, const LevelChoice& choice)
+      : paths_(paths), level_(choice.level), tolerance_(choice.tolerance) {
+    for (std::size_t i = 0; i < paths_.count(); ++i) {
       if (i >= 3 || !is_passed(i)) ways_that_matter_.push_back(i);
     }
   }
@@ -53,12 +53,12 @@ class LevelFinder {
  private:
   static constexpr std::size_t kMostParts = 20'000;
 
-  [[nodiscard]] PlanePoint plane(const Barycentric& b) const { return ways_.frames[0].at(b, 0); }
+  [[nodiscard]] PlanePoint plane(const Barycentric& b) const { return paths_.frames[0].at(b, 0); }
   [[nodiscard]] double between(const Barycentric& a, const Barycentric& b) const {
     return norm(plane(a) - plane(b));
   }
   [[nodiscard]] double distance(const Barycentric& b) const {
-    return ways_.hit(b).nearest.distance;
+    return paths_.hit(b).nearest.distance;
   }
 
   [[nodiscard]] bool is_passed(std::size_t corner) const;
@@ -75,7 +75,7 @@ class LevelFinder {
   void split(const LevelPart& part, std::size_t side);
   LevelPart::Side crossings_between(const LevelPart::Corner& from, const LevelPart::Corner& to);
 
-  const WaysIntoFace& ways_;
+  const FacePaths& paths_;
   double level_, tolerance_;
   std::vector<std::size_t> ways_that_matter_;
   FaceLevel found_;
@@ -94,9 +94,9 @@ bool LevelFinder::is_passed(std::size_t corner) const {
   constexpr double kSame = 1e-12;
   Barycentric at{};
   at[corner] = 1;
-  const double most = ways_.corners[corner].distance + kSame * ways_.longest;
-  for (std::size_t i = 3; i < ways_.count(); ++i) {
-    if (ways_.way(i, at).nearest.distance <= most) return true;
+  const double most = paths_.corners[corner].distance + kSame * paths_.longest;
+  for (std::size_t i = 3; i < paths_.count(); ++i) {
+    if (paths_.path(i, at).nearest.distance <= most) return true;
   }
   return false;
 }
@@ -183,7 +183,7 @@ bool LevelFinder::is_simple(const LevelPart& part) {
 /// Whether an end of a segment of the curves lies beyond the chords of the part. The distance has
 /// minima only on curves, so the chords then miss a component of the level set around the end.
 bool LevelFinder::has_hidden_source(const LevelPart& part) const {
-  if (ways_.segments.empty()) return false;
+  if (paths_.segments.empty()) return false;
   const auto inside = [&](PlanePoint p, std::span<const PlanePoint> polygon) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const PlanePoint side = polygon[(k + 1) % polygon.size()] - polygon[k];
@@ -198,7 +198,7 @@ bool LevelFinder::has_hidden_source(const LevelPart& part) const {
     return inside(plane(b), corners);
   };
   const std::array triangle = {part.corners[0].at, part.corners[1].at, part.corners[2].at};
-  for (const PolylinePiece& piece : ways_.segments) {
+  for (const PolylinePiece& piece : paths_.segments) {
     for (const Barycentric& end : {piece.from, piece.to}) {
       const auto has_it = [&](const auto& polygon) { return is_in(end, polygon); };
       if (is_in(end, triangle) && std::none_of(near.begin(), near.end(), has_it)) return true;
@@ -244,12 +244,12 @@ std::vector<std::vector<Barycentric>> LevelFinder::near_parts(const LevelPart& p
 /// a way is convex, so no point of the polygon is then far.
 bool LevelFinder::is_one_way_near(const LevelPart& part) const {
   constexpr double kSame = 1e-9;
-  const double most = level_ + kSame * std::max(level_, ways_.longest);
+  const double most = level_ + kSame * std::max(level_, paths_.longest);
   for (const std::vector<Barycentric>& polygon : near_parts(part)) {
     bool found = false;
-    for (std::size_t i = 0; i < ways_.count() && !found; ++i) {
+    for (std::size_t i = 0; i < paths_.count() && !found; ++i) {
       found = std::all_of(polygon.begin(), polygon.end(), [&](const Barycentric& b) {
-        return ways_.way(i, b).nearest.distance <= most;
+        return paths_.path(i, b).nearest.distance <= most;
       });
     }
     if (!found) return false;
@@ -265,11 +265,11 @@ bool LevelFinder::rises_throughout(const LevelPart& part) const {
   std::vector<PlanePoint> slopes;
   PlanePoint sum;
   for (const std::size_t i : ways_that_matter_) {
-    if (!(ways_.way(i, center_).nearest.distance <= most)) continue;
+    if (!(paths_.path(i, center_).nearest.distance <= most)) continue;
     for (const auto& corner : part.corners) {
-      const WaysIntoFace::Hit way = ways_.way(i, corner.at);
-      slopes.push_back({ways_.slopes(way, corner.at, {1, 0}).distance,
-                        ways_.slopes(way, corner.at, {0, 1}).distance});
+      const FacePaths::Hit way = paths_.path(i, corner.at);
+      slopes.push_back({paths_.slopes(way, corner.at, {1, 0}).distance,
+                        paths_.slopes(way, corner.at, {0, 1}).distance});
       sum = sum + slopes.back();
     }
   }
@@ -283,9 +283,9 @@ LevelPart::Side LevelFinder::crossings_between(const LevelPart::Corner& from,
   constexpr double kGap = 1e-11;  // fraction of the line
   const double length = between(from.at, to.at);
   std::vector<Stretch> stretches;
-  for (std::size_t i = 0; i < ways_.count() && length > 0; ++i) {
+  for (std::size_t i = 0; i < paths_.count() && length > 0; ++i) {
     const auto way = [&](double x) {
-      return ways_.way(i, mixed(from.at, to.at, x / length)).nearest.distance;
+      return paths_.path(i, mixed(from.at, to.at, x / length)).nearest.distance;
     };
     if (const auto stretch = stretch_below(way, length, level_)) stretches.push_back(*stretch);
   }
@@ -323,8 +323,8 @@ void LevelFinder::split(const LevelPart& part, std::size_t side) {
 
 }  // namespace
 
-FaceLevel level_in_face(const WaysIntoFace& ways, const FaceRim& rim, const LevelChoice& choice) {
-  return LevelFinder(ways, choice).find(rim);
+FaceLevel level_in_face(const FacePaths& paths, const FaceRim& rim, const LevelChoice& choice) {
+  return LevelFinder(paths, choice).find(rim);
 }
 
 }  // namespace talweg

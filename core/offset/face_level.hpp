@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 
 namespace talweg {
 

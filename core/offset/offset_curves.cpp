@@ -141,13 +141,13 @@ OffsetResult offset_curves(const SurfaceMesh& mesh, std::span<const SurfaceCurve
   options.validate();
   if (curves.empty()) throw Error(ErrorCode::kBadCurve, "There is no curve to offset.");
   PolylineDistance distance(mesh.surface());
-  Asker asker(progress, "offset");
-  const AskedDuring asked(distance, asker);
+  ProgressPoller poller(progress, "offset");
+  const ScopedPoller scoped(distance, poller);
   distance.set(curves);
   OffsetMaker maker(mesh, curves, options, distance);
   OffsetResult result;
   for (std::size_t i = 0; i < options.distances.size(); ++i) {
-    asker.is_at(static_cast<double>(i) / static_cast<double>(options.distances.size()));
+    poller.set_fraction(static_cast<double>(i) / static_cast<double>(options.distances.size()));
     maker.add(options.distances[i], result);
   }
   return result;

@@ -17,17 +17,16 @@ bool ends_on_boundary(const Surface& surface, const SurfacePoint& point) {
 /// lies on the line or is nearest to an end of the segment.
 int side_of_segment(const WaysIntoFace& ways, const PolylinePiece& segment,
                     const std::array<double, 3>& b) {
-  const PlanePoint p = ways.frames[0].at(segment.from, 0), q = ways.frames[0].at(segment.to, 0);
-  const PlanePoint x = ways.frames[0].at(b, 0);
+  const PlanePoint p = paths.frames[0].at(segment.from, 0), q = paths.frames[0].at(segment.to, 0);
+  const PlanePoint x = paths.frames[0].at(b, 0);
   const double part = dot(x - p, q - p), side = cross(q - p, x - p);
   if (!(part > 0 && part < dot(q - p, q - p)) || side == 0) return 0;
   return side > 0 ? 1 : -1;
 }
 
-int side_of(const WaysIntoFace& ways, const WaysIntoFace::Hit& way,
-            const std::array<double, 3>& b) {
-  if (way.window != nullptr) return way.window->window.sense;
-  return way.segment != nullptr ? side_of_segment(ways, *way.segment, b) : 0;
+int side_of(const FacePaths& paths, const FacePaths::Hit& way, const std::array<double, 3>& b) {
+  if (way.window != nullptr) return way.window->window.arc_sign;
+  return way.segment != nullptr ? side_of_segment(paths, *way.segment, b) : 0;
 }
 
 /// The shortest way, or an equally short way that begins beside a curve: at a vertex, the way along
@@ -36,10 +35,10 @@ WaysIntoFace::Hit sided_hit(const WaysIntoFace& ways, const std::array<double, 3
   const WaysIntoFace::Hit hit = ways.hit(b);
   if (side_of(ways, hit, b) != 0) return hit;
   const double most =
-      hit.nearest.distance + NearestOnCurve::kSame * std::max(hit.nearest.distance, ways.longest);
-  for (std::size_t i = 3; i < ways.count(); ++i) {
-    const WaysIntoFace::Hit way = ways.way(i, b);
-    if (way.nearest.distance <= most && side_of(ways, way, b) != 0) return way;
+      hit.nearest.distance + NearestOnCurve::kSame * std::max(hit.nearest.distance, paths.longest);
+  for (std::size_t i = 3; i < paths.count(); ++i) {
+    const FacePaths::Hit way = paths.path(i, b);
+    if (way.nearest.distance <= most && side_of(paths, way, b) != 0) return way;
   }
   return hit;
 }

@@ -356,14 +356,14 @@ CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
                                const CurveOptions& options, std::span<const StrokeSlack> known,
                                const Progress& progress) {
   constexpr std::size_t kOfPoint = 32;  // units of work
-  Asker asker(progress, "embed");
+  ProgressPoller poller(progress, "embed");
   CleanedDrawing cleaned;
   std::vector<SurfacePoint> painted;
   CurveOptions merged = options;
   const PointLookup often = points_passed_often(given);
   for (std::size_t c = 0; c < given.size(); ++c) {
     const SurfaceCurve& curve = given[c];
-    asker.did(kOfPoint * curve.points.size());
+    poller.add_work(kOfPoint * curve.points.size());
     if (options.method == Method::kPaper) {
       cleaned.curves.emplace_back().curve = curve;
       continue;

@@ -50,8 +50,8 @@ Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
   return {*distance_, taus, *valleys_};
 }
 
-Straightened CorridorHold::straighten(const SmoothingOptions& options,
-                                      const std::vector<Walls>& walls, const Progress& progress) {
+Straightened CorridorSolver::straighten(const SmoothingOptions& options,
+                                        const std::vector<Walls>& walls, const Progress& progress) {
   if (drawing_->all_legs()) return straighten_flat(options, progress);
   Straightened result = straighten_lifted(options, walls, progress);
   if (!drawing_->any_legs()) return result;
@@ -74,9 +74,9 @@ Straightened CorridorHold::straighten(const SmoothingOptions& options,
   return result;
 }
 
-Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
-                                             const std::vector<Walls>& walls,
-                                             const Progress& progress) {
+Straightened CorridorSolver::straighten_lifted(const SmoothingOptions& options,
+                                               const std::vector<Walls>& walls,
+                                               const Progress& progress) {
   const Corridor corridor = this->corridor(options);
   std::vector<bool> exactly;
   exactly.reserve(walls.size());
@@ -91,13 +91,13 @@ Straightened CorridorHold::straighten_lifted(const SmoothingOptions& options,
     };
     return lifted_length(length, at(p), at(q));
   };
-  Asker asker(progress, "straighten");
-  const AskedDuring asked(*distance_, asker);
+  ProgressPoller poller(progress, "straighten");
+  const ScopedPoller scoped(*distance_, poller);
   return drawing_->straighten(options, metric, progress);
 }
 
-Straightened CorridorHold::straighten_flat(const SmoothingOptions& options,
-                                           const Progress& progress) {
+Straightened CorridorSolver::straighten_flat(const SmoothingOptions& options,
+                                             const Progress& progress) {
   return drawing_->straighten_flat(options, progress);
 }
 
@@ -110,8 +110,8 @@ bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
   return !(corridor.largest_lengthening(edges.farthest, edges.shortest) <= kUnfelt);
 }
 
-std::optional<Straightened> CorridorHold::unlifted(const SmoothingOptions& options,
-                                                   const Progress& progress) {
+std::optional<Straightened> CorridorSolver::unlifted(const SmoothingOptions& options,
+                                                     const Progress& progress) {
   double most = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) most = std::max(most, options.tau_of(c));
   if (most == 0) return straighten_flat(options, progress);
@@ -150,7 +150,8 @@ bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straighte
                      [&](const Point& p) { return taut.to(p).distance > far; });
 }
 
-void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const {
+void CorridorSolver::reset_lost_curves(const SmoothingOptions& options,
+                                       Straightened& straight) const {
   for (std::size_t c = 0; c < drawing_->capped().size(); ++c) {
     if (!is_faired(options, c)) continue;
     StraightenedPath& path = straight.paths[c];
@@ -165,7 +166,7 @@ void CorridorHold::hold_lost_curves(const SmoothingOptions& options, Straightene
   }
 }
 
-std::vector<FairGroup> CorridorHold::groups(const SmoothingOptions& options) const {
+std::vector<FairGroup> CorridorSolver::groups(const SmoothingOptions& options) const {
   const auto is_free = [&](std::size_t c) {
     return is_faired(options, c) && (drawing_->legs()[c].any() || !is_narrow(c));
   };
@@ -190,50 +191,50 @@ CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
   return trace;
 }
 
-CurveTrace CorridorHold::traced(const FairGroup& group, const SurfaceCurve& curve) const {
+CurveTrace CorridorSolver::traced(const FairGroup& group, const SurfaceCurve& curve) const {
   if (group.junctions.empty()) return traced(curve, drawing_->fixed());
   std::vector<SurfacePoint> fixed = drawing_->fixed();
   fixed.insert(fixed.end(), group.junctions.begin(), group.junctions.end());
   return traced(curve, fixed);
 }
 
-CurveTrace CorridorHold::traced(const FairGroup& group) const {
+CurveTrace CorridorSolver::traced(const FairGroup& group) const {
   CurveTrace trace = traced(group, group.drawn);
   trace.set_drawn();
   return trace;
 }
 
-BandWidth CorridorHold::width_of(std::size_t curve, double tau, double narrower) const {
+BandWidth CorridorSolver::width_of(std::size_t curve, double tau, double narrower) const {
   const Corridor::Valley& valley = (*valleys_)[curve];
   return {valley.slack, valley.slack_at, kLeastSlack * drawing_->drawing().edges_near()[curve],
           narrower * walls_of(tau), valley.apart};
 }
 
-double CorridorHold::largest_wall(const FairGroup& group, const Taus& taus) const {
+double CorridorSolver::largest_wall(const FairGroup& group, const Taus& taus) const {
   double widest = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
     const BandWidth width = width_of(c, taus[k], 1);
     const double slack = std::max(largest_slack((*valleys_)[c]), width.least_slack);
-    widest = std::max(widest, std::min(width.walls * slack, width.most));
+    widest = std::max(widest, std::min(width.wall_in_slacks * slack, width.largest_wall));
   }
   return widest;
 }
 
-void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                                const LegTension& legs, Asker& asker,
-                                const std::function<void(CurveFairing&)>& use) {
-  const AskedDuring asked(*distance_, asker);
-  const auto middle = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
+void CorridorSolver::with_fairing(const FairGroup& group, const Taus& taus, double narrower,
+                                  const LegTension& legs, ProgressPoller& poller,
+                                  const std::function<void(CurveFairing&)>& use) {
+  const ScopedPoller scoped(*distance_, poller);
+  const auto centering = [](double tau) { return std::min(1.0, std::pow(tau, 4)); };
   FairOptions options;
-  options.middle *= middle(taus.front());
+  options.centering *= centering(taus.front());
   std::vector<BandCurve> curves;
   bool all_legs = true;
   double begin = 0;
   for (std::size_t k = 0; k < taus.size(); ++k) {
     const std::size_t c = group.joined.parts[k].curve;
     BandWidth width = width_of(c, taus[k], narrower);
-    if (taus[k] != taus.front()) width.middle = middle(taus[k]) / middle(taus.front());
+    if (taus[k] != taus.front()) width.centering = centering(taus[k]) / centering(taus.front());
     curves.push_back({c, width, begin, group.joined.parts[k].reversed});
     begin += drawing_->drawing().measures()[c].length;
     all_legs = all_legs && drawing_->legs()[c].all();
@@ -245,59 +246,59 @@ void CorridorHold::with_fairing(const FairGroup& group, const Taus& taus, double
   use(fairing);
 }
 
-std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   const TautCurves& taut,
-                                                   const Progress& progress) {
+std::optional<SampleChain> CorridorSolver::fair_from(const FairGroup& group, const Taus& taus,
+                                                     const TautCurves& taut,
+                                                     const Progress& progress) {
   std::optional<SampleChain> chain;
   if (has_legs(*drawing_, group)) return chain;
   const bool is_held = *std::min_element(taus.begin(), taus.end()) >= kLeastHeldTau;
-  Asker asker(progress, "fair");
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  ProgressPoller poller(progress, "fair");
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
     if (!is_held) {
-      chain = fairing.from_curve(traced(group, joined(group.joined, taut().curves)), asker);
+      chain = fairing.from_curve(traced(group, joined(group.joined, taut().curves)), poller);
       if (chain && fairing.keeps_within(*chain)) return;
     }
-    auto own = fairing.from_curve(traced(group), asker);
+    auto own = fairing.from_curve(traced(group), poller);
     if (own) chain = std::move(own);
   });
   return chain;
 }
 
-std::optional<SampleChain> CorridorHold::fair_from(const FairGroup& group, const Taus& taus,
-                                                   const SampleChain& chain, SampleTrail& trail,
-                                                   const Progress& progress) {
-  Asker asker(progress, "fair");
+std::optional<SampleChain> CorridorSolver::fair_from(const FairGroup& group, const Taus& taus,
+                                                     const SampleChain& chain, SampleTrail& trail,
+                                                     const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
-               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, asker); });
+  with_fairing(group, taus, 1, {}, poller,
+               [&](CurveFairing& fairing) { result = fairing.from_chain(chain, trail, poller); });
   return result;
 }
 
-bool CorridorHold::stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
-                          const Progress& progress) {
-  Asker asker(progress, "fair");
+bool CorridorSolver::keeps_within_walls(const FairGroup& group, const Taus& taus,
+                                        const SampleChain& chain, const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   bool result = false;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
-    const auto curve = fairing.curve_of(chain, asker);
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
+    const auto curve = fairing.curve_of(chain, poller);
     result = curve && curve->farthest <= 1;
   });
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::evened(const FairGroup& group, const Taus& taus,
-                                                const SampleChain& chain,
-                                                const Progress& progress) {
-  Asker asker(progress, "fair");
+std::optional<SampleChain> CorridorSolver::resampled(const FairGroup& group, const Taus& taus,
+                                                     const SampleChain& chain,
+                                                     const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker,
-               [&](CurveFairing& fairing) { result = fairing.evened(chain, asker); });
+  with_fairing(group, taus, 1, {}, poller,
+               [&](CurveFairing& fairing) { result = fairing.resampled(chain, poller); });
   return result;
 }
 
-std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const AtTaus& from,
-                                                 const AtTaus& to, const SampleTrail& trail,
-                                                 const Taus& taus, const Progress& progress) {
-  Asker asker(progress, "fair");
+std::optional<SampleChain> CorridorSolver::between(const FairGroup& group, const AtTaus& from,
+                                                   const AtTaus& to, const SampleTrail& trail,
+                                                   const Taus& taus, const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   const std::vector<std::size_t> part_of = group.parts_of_stretches(from.chain);
   ChainMaker maker(drawing_->surface());
   // The chain at the interpolated parameter of the walls (`nearer` = 0), or moved towards the chain
@@ -317,7 +318,7 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
     return maker.between(from.chain, to.chain, trail, all);
   };
   std::optional<SampleChain> result;
-  with_fairing(group, taus, 1, {}, asker, [&](CurveFairing& fairing) {
+  with_fairing(group, taus, 1, {}, poller, [&](CurveFairing& fairing) {
     result = at(0);
     if (!result || fairing.keeps_within(*result)) return;
     double out = 0, in = 1;
@@ -336,16 +337,16 @@ std::optional<SampleChain> CorridorHold::between(const FairGroup& group, const A
   return result;
 }
 
-std::optional<SurfaceCurve> CorridorHold::fair(double tau, const SurfaceCurve& curve,
-                                               std::span<const SurfacePoint> fixed,
-                                               const Progress& progress) {
-  Asker asker(progress, "fair");
+std::optional<SurfaceCurve> CorridorSolver::fair(double tau, const SurfaceCurve& curve,
+                                                 std::span<const SurfacePoint> fixed,
+                                                 const Progress& progress) {
+  ProgressPoller poller(progress, "fair");
   std::optional<SurfaceCurve> result;
-  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, asker,
+  with_fairing(fair_group(*drawing_, {{{0, false}}}), {tau}, 1, {}, poller,
                [&](CurveFairing& fairing) {
-                 const auto chain = fairing.from_curve(traced(curve, fixed), asker);
+                 const auto chain = fairing.from_curve(traced(curve, fixed), poller);
                  if (!chain) return;
-                 if (auto faired = fairing.curve_of(*chain, asker))
+                 if (auto faired = fairing.curve_of(*chain, poller))
                    result = std::move(faired->curve);
                });
   return result;
@@ -362,7 +363,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
   };
   const Corridor::Valley& valley = (*valleys_)[curve];
   if (turning(taut) > turning(drawn)) return drawn;
-  if (!valley.given) return taut;
+  if (!valley.slack_from_options) return taut;
   const double edge = drawing_->drawing().edges_near()[curve];
   const DrawnBand band(
       *distance_, curve,

@@ -33,8 +33,8 @@ using TautCurves = std::function<const Straightened&()>;
 /// functions throw Cancelled. A function costs the Straightening or CurveFairing that it runs.
 class CorridorHold {
  public:
-  CorridorHold(EmbeddedDrawing& drawing, SmoothingMemory& memory,
-               const std::vector<Corridor::Valley>& valleys)
+  CorridorSolver(EmbeddedDrawing& drawing, SmoothingMemory& memory,
+                 const std::vector<Corridor::Valley>& valleys)
       : drawing_(&drawing), memory_(&memory), distance_(&memory.distance()), valleys_(&valleys) {}
 
   [[nodiscard]] const EmbeddedDrawing& drawing() const { return *drawing_; }
@@ -97,7 +97,7 @@ class CorridorHold {
   /// Calls use() with the fairing of a group, whose walls are at the fraction `narrower` of their
   /// distance.
   void with_fairing(const FairGroup& group, const Taus& taus, double narrower,
-                    const LegTension& legs, Asker& asker,
+                    const LegTension& legs, ProgressPoller& poller,
                     const std::function<void(CurveFairing&)>& use);
   /// The trace of a start curve of a group; without `curve`, the trace of its drawing, marked as
   /// drawn.
@@ -109,7 +109,8 @@ class CorridorHold {
   [[nodiscard]] bool is_narrow(std::size_t curve) const;
   /// The result for a curve with is_narrow(): the taut curve or the drawing.
   [[nodiscard]] const SurfaceCurve& in_narrow_band(double tau, std::size_t curve,
-                                                   const SurfaceCurve& taut, Asker& asker);
+                                                   const SurfaceCurve& taut,
+                                                   ProgressPoller& poller);
 
  private:
   [[nodiscard]] bool has_lost_all(const SmoothingOptions& options, const Straightened& straight,

@@ -17,7 +17,7 @@ namespace {
 Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
                            const Progress& progress) {
   std::optional<Straightened> flat;
-  const std::size_t curves = hold.drawing().drawing().curves().size();
+  const std::size_t curves = solver.drawing().drawing().curves().size();
   bool free = true;
   for (std::size_t c = 0; c < curves; ++c) free = free && options.tau_of(c) == 0;
   if (free || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
@@ -25,7 +25,7 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   const std::vector walls(hold.valleys().size(), CorridorHold::Walls::kExact);
   Straightened straight = flat ? *flat : hold.straighten(options, walls, progress);
   Stopwatch watch;
-  relax(hold.drawing().mesh(), straight.curves, {options.relax_rounds, hold.drawing().fixed()},
+  relax(solver.drawing().mesh(), straight.curves, {options.relax_rounds, solver.drawing().fixed()},
         progress);
   straight.time_ms.relax = watch.lap();
   // Curves without an effective lift are straight already.
@@ -35,11 +35,11 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
   const TautCurves taut = [&]() -> const Straightened& { return straight; };
   FairChains chains(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    if (!CorridorHold::is_faired(options, groups[g].joined.parts.front().curve)) continue;
-    chains[g] = hold.fair_from(groups[g], taus_of(groups[g], options), taut, progress);
+    if (!CorridorSolver::is_faired(options, groups[g].joined.parts.front().curve)) continue;
+    chains[g] = solver.fair_from(groups[g], taus_of(groups[g], options), taut, progress);
   }
-  Smoothed result = smoothed_from(straight);
-  FairFinishing(hold, options, taut, progress).run(groups, chains, result.curves);
+  DomainResult result = domain_result_from(straight);
+  FairFinishing(solver, options, taut, progress).run(groups, chains, result.curves);
   result.time_ms.fair = watch.ms();
   return result;
 }
@@ -49,8 +49,8 @@ Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
 void CorridorMethod::set(std::span<const SurfaceCurve> near, std::vector<Corridor::Valley> valleys,
                          const Progress& progress) {
   valleys_ = std::move(valleys);
-  Asker asker(progress, "solve");
-  const AskedDuring asked(memory_->distance(), asker);
+  ProgressPoller poller(progress, "solve");
+  const ScopedPoller scoped(memory_->distance(), poller);
   memory_->distance().set_with_few_windows(near);
 }
 
@@ -64,25 +64,25 @@ void CorridorMethod::solve(const Progress& progress) {
   valleys_ = valleys_of(drawing_->mesh(), drawing, progress);
 }
 
-Smoothed CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
+DomainResult CorridorMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
   return smooth_in(with_options(valleys_, drawing_->mesh(), drawing_->drawing(), options), options,
                    progress);
 }
 
-Smoothed CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
-                                               const Progress& progress) {
+DomainResult CorridorMethod::smooth_in_own_valleys(const SmoothingOptions& options,
+                                                   const Progress& progress) {
   return smooth_in(valleys_, options, progress);
 }
 
-Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
-                                   const SmoothingOptions& options, const Progress& progress) {
-  CorridorHold hold(*drawing_, *memory_, valleys);
+DomainResult CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
+                                       const SmoothingOptions& options, const Progress& progress) {
+  CorridorSolver solver(*drawing_, *memory_, valleys);
   bool laddered = false;
   for (std::size_t c = 0; c < drawing_->drawing().curves().size(); ++c) {
     laddered = laddered || (FairLadder::rung_of(options, c) && !drawing_->all_legs());
   }
-  Smoothed result = laddered ? ladder_.smooth(hold, options, progress)
-                             : smooth_for_itself(hold, options, progress);
+  DomainResult result = laddered ? ladder_.smooth(solver, options, progress)
+                                 : smooth_for_itself(solver, options, progress);
   result.potential = PotentialKind::kCorridor;
   result.engine = Engine::kLocal;
   for (std::size_t c = 0; c < result.curves.size(); ++c) {
@@ -94,14 +94,14 @@ Smoothed CorridorMethod::smooth_in(const std::vector<Corridor::Valley>& valleys,
 
 std::vector<SurfaceCurve> CorridorMethod::taut(const SmoothingOptions& options,
                                                const Progress& progress) {
-  CorridorHold hold(*drawing_, *memory_, valleys_);
-  return FairLadder::straightened(hold, options, progress).curves;
+  CorridorSolver solver(*drawing_, *memory_, valleys_);
+  return FairLadder::straightened(solver, options, progress).curves;
 }
 
 std::optional<SurfaceCurve> CorridorMethod::fair(double tau, const SurfaceCurve& curve,
                                                  std::span<const SurfacePoint> fixed,
                                                  const Progress& progress) {
-  return CorridorHold(*drawing_, *memory_, valleys_).fair(tau, curve, fixed, progress);
+  return CorridorSolver(*drawing_, *memory_, valleys_).fair(tau, curve, fixed, progress);
 }
 
 }  // namespace talweg

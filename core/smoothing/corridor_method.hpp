@@ -46,8 +46,8 @@ class CorridorMethod {
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 
  private:
-  Smoothed smooth_in(const std::vector<Corridor::Valley>& valleys, const SmoothingOptions& options,
-                     const Progress& progress);
+  DomainResult smooth_in(const std::vector<Corridor::Valley>& valleys,
+                         const SmoothingOptions& options, const Progress& progress);
 
   SmoothingMemory* memory_;
   EmbeddedDrawing* drawing_;

@@ -38,15 +38,15 @@ std::vector<double> own_field(const Corridor::Valley& valley, const SurfaceMesh&
 std::vector<Corridor::Valley> valleys_of(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
                                          const Progress& progress) {
   constexpr std::size_t kOfPoint = 16;  // units of work
-  Asker asker(progress, "solve");
+  ProgressPoller poller(progress, "solve");
   std::vector<Corridor::Valley> valleys;
   for (std::size_t c = 0; c < drawing.curves().size(); ++c) {
     const SurfaceCurve& curve = drawing.curves()[c];
-    asker.did(kOfPoint * curve.points.size());
+    poller.add_work(kOfPoint * curve.points.size());
     Corridor::Valley& valley = valleys.emplace_back();
     valley.closed = curve.closed;
     valley.slack = drawing.slacks()[c].slack;
-    valley.trembling = valley.slack;
+    valley.slack_before_gaps = valley.slack;
     valley.length = corridor_length(mesh, curve);
   }
   if (valleys.size() > 1) keep_apart(valleys, mesh, drawing, progress);
@@ -58,9 +58,9 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
                                            const SmoothingOptions& options) {
   for (std::size_t c = 0; c < valleys.size(); ++c) {
     Corridor::Valley& valley = valleys[c];
-    valley.given = options.slack_of(c) || !options.slack_at.empty();
+    valley.slack_from_options = options.slack_of(c) || !options.slack_at.empty();
     if (const auto slack = options.slack_of(c)) valley.slack = *slack;
-    if (!valley.given) valley.slack_at = own_field(valley, mesh, drawing, c);
+    if (!valley.slack_from_options) valley.slack_at = own_field(valley, mesh, drawing, c);
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
     if (valley.given) valley.trembling = valley.slack;
     // The phase cannot follow a loop with fewer than eight points per turn.

@@ -64,12 +64,12 @@ SpaceBox widened(const SpaceBox& box, double reach) {
 class GapSearch {
  public:
   GapSearch(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves, double limit,
-            Asker& asker)
+            ProgressPoller& poller)
       : mesh_(&mesh),
         curves_(curves),
         common_(common_points(curves)),
         limit_(limit),
-        asker_(&asker),
+        poller_(&poller),
         gaps_(curves.size(), HUGE_VAL) {
     for (const SurfaceCurve& curve : curves) {
       boxes_.push_back(SpaceBox::around(positions_of(mesh, curve)));
@@ -98,7 +98,7 @@ class GapSearch {
     std::vector<std::pair<double, std::uint32_t>> others;  // with the distances between boxes
     const auto box_of = [&](std::uint32_t i) { return boxes_[i]; };
     tree_->visit(widened(boxes_[curve], radius), box_of, [&](std::uint32_t other) {
-      asker_->did(1);
+      poller_->add_work(1);
       if (other != curve) others.emplace_back(distance_between(curve, other), other);
     });
     std::sort(others.begin(), others.end());
@@ -137,7 +137,7 @@ class GapSearch {
     const std::vector<NearPoint> points = points_near(from, to, most);
     if (points.empty()) return HUGE_VAL;
     if (!distance_) distance_.emplace(mesh_->surface());
-    const AskedDuring asked(*distance_, *asker_);
+    const ScopedPoller scoped(*distance_, *poller_);
     distance_->set(segments_[to].as_curves(segments_near(to, from, most)));
     double least = HUGE_VAL;
     for (const NearPoint& p : points) {
@@ -190,7 +190,7 @@ class GapSearch {
 
   [[nodiscard]] double to_curve(std::uint32_t curve, const Point& at) const {
     constexpr std::size_t kOfPoint = 16;  // units of work
-    asker_->did(kOfPoint);
+    poller_->add_work(kOfPoint);
     return segments_[curve].tree().to(at).distance;
   }
 
@@ -198,7 +198,7 @@ class GapSearch {
   std::span<const SurfaceCurve> curves_;
   std::vector<Numbers> common_;
   double limit_;
-  Asker* asker_;
+  ProgressPoller* poller_;
   std::vector<double> gaps_;
   std::unordered_set<std::uint64_t> measured_;  // pairs of curves
   std::vector<SpaceBox> boxes_;                 // per curve
@@ -211,9 +211,9 @@ class GapSearch {
 
 std::vector<double> gaps_to_others(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                    double limit, const Progress& progress) {
-  Asker asker(progress, "solve");
+  ProgressPoller poller(progress, "solve");
   if (curves.size() < 2) return std::vector<double>(curves.size(), HUGE_VAL);
-  return GapSearch(mesh, curves, limit, asker).gaps();
+  return GapSearch(mesh, curves, limit, poller).gaps();
 }
 
 }  // namespace talweg

@@ -93,7 +93,7 @@ CurveSmoother::~CurveSmoother() = default;
 const OpenedMesh& CurveSmoother::opened() const { return memory_->opened(); }
 
 void CurveSmoother::forget() {
-  sheet_.reset();
+  domain_.reset();
   memory_->straightening().clear();
   given_.clear();
   *cleaned_ = {};
@@ -143,7 +143,7 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
     roughness_ = options.method == Method::kCorridor
                      ? roughness_along(memory_->mesh(), drawing_->curves(), progress)
                      : HUGE_VAL;
-    sheet_ = sheet_for(*memory_, *drawing_, cleaned, std::move(distance), roughness_, progress);
+    domain_ = domain_for(*memory_, *drawing_, cleaned, std::move(distance), roughness_, progress);
   } catch (const Cancelled&) {
     forget();
     return false;
@@ -155,7 +155,7 @@ bool CurveSmoother::set(std::span<const SurfaceCurve> curves, const CurveOptions
 }
 
 bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
-  if (!sheet_) bad_usage("No curve is set.");
+  if (!domain_) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(given_, pins);
   const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // `pins` may be pins()
@@ -165,12 +165,12 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
     return set(given_, options, std::nullopt, progress);
   }
   try {
-    sheet_->set_pins(own, progress);
+    domain_->set_pins(own, progress);
   } catch (const Cancelled&) {
-    sheet_->set_pins(curve_options_.pins, {});
+    domain_->set_pins(curve_options_.pins, {});
     return false;
   } catch (...) {
-    sheet_->set_pins(curve_options_.pins, {});
+    domain_->set_pins(curve_options_.pins, {});
     throw;
   }
   curve_options_.pins = own;
@@ -179,9 +179,9 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
 }
 
 bool CurveSmoother::need_distance(const Progress& progress) {
-  if (!sheet_) bad_usage("No curve is set.");
+  if (!domain_) bad_usage("No curve is set.");
   try {
-    sheet_->need_distance(progress);
+    domain_->need_distance(progress);
   } catch (const Cancelled&) {
     return false;
   }
@@ -189,14 +189,14 @@ bool CurveSmoother::need_distance(const Progress& progress) {
 }
 
 std::span<const double> CurveSmoother::distance() const {
-  return sheet_ ? sheet_->distance() : std::span<const double>{};
+  return domain_ ? domain_->distance() : std::span<const double>{};
 }
 
 std::span<const SurfaceCurve> CurveSmoother::drawn() const { return given_; }
 
 std::vector<double> CurveSmoother::slack() const {
-  if (!sheet_) return {};
-  const std::vector<double> ordered = sheet_->slack();
+  if (!domain_) return {};
+  const std::vector<double> ordered = domain_->slack();
   return ordered.empty() ? ordered : drawing_->in_drawn_order(ordered);
 }
 
@@ -242,7 +242,7 @@ SurfaceCurve CurveSmoother::cleaned_as(std::size_t curve, const SurfaceCurve& mo
 
 void CurveSmoother::check(const SmoothingOptions& options) const {
   options.validate();
-  if (!sheet_) bad_usage("No curve is set.");
+  if (!domain_) bad_usage("No curve is set.");
   const bool corridor = curve_options_.method == Method::kCorridor;
   if (!corridor && !options.per_curve.empty()) bad_usage("per_curve needs the corridor.");
 }
@@ -251,7 +251,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
                                       const Progress& caller) {
   const Progress progress = within_budget(caller, options);
   try {
-    const Asker asked(progress, "straighten");
+    const ProgressPoller polled(progress, "straighten");
     return drawing_->as_drawn(smooth_ordered(
         ordered_for(curve_options_.method, *drawing_, on_cleaned(options)), given, progress));
   } catch (const Cancelled&) {
@@ -265,7 +265,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options, const Giv
 SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const GivenPotential* given,
                                               const Progress& progress) {
-  Smoothed smoothed = sheet_->smooth(options, given, progress);
+  DomainResult smoothed = domain_->smooth(options, given, progress);
   const Stopwatch watch;
   SmoothingResult result = reported(memory_->opened(), *drawing_, options, std::move(smoothed));
   CurveOptions cleaned = curve_options_;
@@ -314,9 +314,9 @@ SmoothingResult CurveSmoother::drag(std::size_t curve, const Drawing& moved,
   const Drawing own = moved;  // NOLINT: `moved` may refer to drawn(), which changes
   check_drawn(memory_->surface(), own.curve);
   try {
-    const Asker asked(progress, "straighten");
-    const bool by_stretch =
-        sheet_->valleys() != nullptr && curve_options_.way_points.empty() && own.way_points.empty();
+    const ProgressPoller polled(progress, "straighten");
+    const bool by_stretch = domain_->valleys() != nullptr && curve_options_.way_points.empty() &&
+                            own.way_points.empty();
     return by_stretch ? drag_now(curve, cleaned_as(curve, own.curve, progress), options, progress)
                       : drag_whole(curve, own, options, progress);
   } catch (const Cancelled&) {
@@ -345,7 +345,7 @@ SmoothingResult CurveSmoother::drag_now(std::size_t curve, const SurfaceCurve& m
   if (!change.is_none()) {
     if (!dragging_) dragging_ = std::make_unique<Dragging>(memory_->shared());
     result.curves[curve] =
-        dragging_->dragged({*drawing_, curve_options_, *sheet_->valleys(), options}, curve, change,
+        dragging_->dragged({*drawing_, curve_options_, *domain_->valleys(), options}, curve, change,
                            result.curves[curve], progress);
   }
   const double fair_ms = watch.ms();

@@ -19,7 +19,7 @@ namespace talweg {
 class Dragging;
 struct CleanedDrawing;
 class OrderedDrawing;
-class Sheet;
+class SmoothingDomain;
 class SmoothingMemory;
 struct GivenPotential;
 

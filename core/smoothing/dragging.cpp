@@ -248,7 +248,7 @@ SurfaceCurve Dragging::dragged(const Setting& setting, std::size_t curve,
     }
   }
   set_stretch(0, change.after.points.size());
-  Smoothed whole = stretch_.method->smooth_in_own_valleys(own, progress);
+  DomainResult whole = stretch_.method->smooth_in_own_valleys(own, progress);
   return stretch_.drawing.in_drawn_direction(0, std::move(whole.curves.front().curve));
 }
 

@@ -78,13 +78,13 @@ MeasuredDeviation deviation_of(SmoothingMemory& memory, const SurfaceCurve& draw
 
 void measure_deviations(SmoothingMemory& memory, const OrderedDrawing& drawing,
                         std::span<const DrawnLegs> legs, const SmoothingOptions& options,
-                        PolylineDistance* band, Smoothed& smoothed, const Progress& progress) {
+                        PolylineDistance* band, DomainResult& smoothed, const Progress& progress) {
   const Stopwatch watch;
   // A budget of the caller limits measuring already.
   const bool spares =
       options.deviation == DeviationMeasure::kAutomatic && progress.budget() == nullptr;
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
-    SmoothedCurve& curve = smoothed.curves[c];
+    CurveResult& curve = smoothed.curves[c];
     const SurfaceCurve& drawn = drawing.curves()[c];
     Budget own;
     if (spares) {

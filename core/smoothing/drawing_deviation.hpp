@@ -20,6 +20,6 @@ namespace talweg {
 /// limited in proportion to the points. Throws Cancelled.
 void measure_deviations(SmoothingMemory& memory, const OrderedDrawing& drawing,
                         std::span<const DrawnLegs> legs, const SmoothingOptions& options,
-                        PolylineDistance* band, Smoothed& smoothed, const Progress& progress);
+                        PolylineDistance* band, DomainResult& smoothed, const Progress& progress);
 
 }  // namespace talweg

@@ -7,7 +7,7 @@
 
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/curve_fairing.hpp"
-#include "talweg/core/fairing/fair_verdict.hpp"
+#include "talweg/core/fairing/fair_measures.hpp"
 #include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
@@ -61,7 +61,7 @@ SurfaceCurve about_fixed(const std::vector<SurfacePoint>& fixed, std::size_t poi
 }  // namespace
 
 void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& chains,
-                        std::vector<SmoothedCurve>& curves) {
+                        std::vector<CurveResult>& curves) {
   curves_ = &curves;
   now_.resize(curves.size());
   attempt_of_.resize(curves.size());
@@ -70,12 +70,12 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
   for (bool again = !curves.empty(); again;) {
     again = false;
     std::vector<bool> done(attempts_.size(), false);
-    for (const std::size_t c : crossing_curves(hold_->drawing().surface(), now_)) {
+    for (const std::size_t c : crossing_curves(solver_->drawing().surface(), now_)) {
       const std::size_t a = attempt_of_[c];
       if (a >= done.size() || done[a] || crosses_as_drawn(c)) continue;
       if (attempts_[a].tries == 0 || attempts_[a].tries == kGivenUp) continue;
       done[a] = true;
-      if (has_legs(hold_->drawing(), attempts_[a].group)) {
+      if (has_legs(solver_->drawing(), attempts_[a].group)) {
         tighten(attempts_[a], crossed_points(c, now_[c]), now_[c]);
       }
       make_fair(a);
@@ -99,11 +99,11 @@ void FairFinishing::run(const std::vector<FairGroup>& groups, const FairChains& 
 /// Whether a curve that is allowed to cross has at most as many crossed points as the taut curve,
 /// or at most 1.1 times the crossings of the drawing; a crossing counts as two points.
 bool FairFinishing::crosses_as_drawn(std::size_t curve) {
-  if (!hold_->drawing().may_cross()) return false;
-  if (!taut_by_face_) taut_by_face_.emplace(hold_->drawing().surface(), taut_().curves);
+  if (!solver_->drawing().may_cross()) return false;
+  if (!taut_by_face_) taut_by_face_.emplace(solver_->drawing().surface(), taut_().curves);
   const std::size_t now = crossed_points(curve, now_[curve]).size();
   return now <= taut_by_face_->crossed_points(curve, taut_().curves[curve]).size() ||
-         now <= 2 * hold_->drawing().crossings() + hold_->drawing().crossings() / 5;
+         now <= 2 * solver_->drawing().crossings() + solver_->drawing().crossings() / 5;
 }
 
 void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChain>& chain) {
@@ -111,13 +111,13 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
   for (const JoinedCurves::Part& part : group.joined.parts) attempt_of_[part.curve] = a;
   attempts_.push_back({group, chain});
   const std::size_t c = group.joined.parts.front().curve;
-  if (!CorridorHold::is_faired(*options_, c)) {
+  if (!CorridorSolver::is_faired(*options_, c)) {
     set(c, taut_().curves[c]);
     return;
   }
-  const bool any_legs = has_legs(hold_->drawing(), group);
-  if (hold_->is_narrow(c) && !any_legs) {
-    set(c, hold_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], asker_));
+  const bool any_legs = has_legs(solver_->drawing(), group);
+  if (solver_->is_narrow(c) && !any_legs) {
+    set(c, solver_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
     return;
   }
   if (any_legs && !turns_by(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
@@ -139,11 +139,11 @@ const FairFinishing::Taut& FairFinishing::taut(Attempt& attempt) {
 }
 
 void FairFinishing::warn_if_too_long(const FairGroup& group) {
-  if (has_legs(hold_->drawing(), group)) return;
-  const double length = curve_length(hold_->drawing().surface(), group.drawn);
+  if (has_legs(solver_->drawing(), group)) return;
+  const double length = curve_length(solver_->drawing().surface(), group.drawn);
   bool too_long = false;
-  hold_->with_fairing(group, taus_of(group, *options_), 1, {}, asker_,
-                      [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
+  solver_->with_fairing(group, taus_of(group, *options_), 1, {}, poller_,
+                        [&](const CurveFairing& f) { too_long = f.is_too_long(length); });
   if (too_long) (*curves_)[group.joined.parts.front().curve].warnings.emplace_back(kTooLong);
 }
 
@@ -151,13 +151,13 @@ void FairFinishing::warn_if_too_long(const FairGroup& group) {
 /// < kLeastHeldTau parts of the drawing may be far.
 bool FairFinishing::is_close(const FairGroup& group, const Taus& taus, const SurfaceCurve& taut) {
   constexpr double kFar = 4;  // walls
-  if (has_legs(hold_->drawing(), group)) return true;
+  if (has_legs(solver_->drawing(), group)) return true;
   if (!keeps_within(group, taus, taut)) return false;
   if (*std::min_element(taus.begin(), taus.end()) < kLeastHeldTau) return true;
   if (hold_->drawing().erases_loops()) return true;  // the short remainder is intended
   const SurfaceMesh& mesh = hold_->drawing().mesh();
   const NearestSegment nearest(segments_of(positions_of(mesh, taut), taut.closed));
-  const double far = kFar * hold_->largest_wall(group, taus);
+  const double far = kFar * solver_->largest_wall(group, taus);
   const std::vector<Point> drawn = positions_of(mesh, group.drawn);
   return std::none_of(drawn.begin(), drawn.end(),
                       [&](const Point& p) { return nearest.to(p).distance > far; });
@@ -172,7 +172,7 @@ void FairFinishing::make_fair(std::size_t number) {
   while (!fair && attempt.tries < kTries && !ended) {
     fair = tried(attempt, taus);
     ++attempt.tries;
-    ended = !fair && asker_.ends_early();
+    ended = !fair && poller_.ends_early();
   }
   if (!fair && attempt.tries < kBent) {
     fair = std::move(attempt.bent);
@@ -198,7 +198,7 @@ void FairFinishing::make_fair(std::size_t number) {
 /// The points where `curve`, as curve `number`, would cross itself or the other current curves.
 std::vector<SurfacePoint> FairFinishing::crossed_points(std::size_t number,
                                                         const SurfaceCurve& curve) {
-  if (!by_face_) by_face_.emplace(hold_->drawing().surface(), now_);
+  if (!by_face_) by_face_.emplace(solver_->drawing().surface(), now_);
   return by_face_->crossed_points(number, curve);
 }
 
@@ -210,7 +210,7 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
 /// Whether a curve bends more than the taut curve, if this is close to the drawing, or else than
 /// the drawing.
 bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const auto bending = [&](const SurfaceCurve& c) {
     return bending_between(drawing.surface(), c, drawing.corners(), group.edge);
@@ -223,7 +223,7 @@ bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
 /// The fixed points about which a curve bends more than the taut curve.
 std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
                                                        const SurfaceCurve& curve) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const SurfaceCurve& taut = this->taut(attempt).curve;
   const auto legs = leg_start(drawing, group, taut, 1);
@@ -247,7 +247,7 @@ std::vector<SurfacePoint> FairFinishing::bends_more_at(Attempt& attempt,
 void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
                             const SurfaceCurve& curve) {
   const SurfaceCurve& taut = this->taut(attempt).curve;
-  const auto legs = leg_start(hold_->drawing(), attempt.group, taut, 1);
+  const auto legs = leg_start(solver_->drawing(), attempt.group, taut, 1);
   if (!legs) return;
   const std::size_t n = legs->tension.is_leg.size();
   attempt.tighter.resize(n, 1);
@@ -270,25 +270,25 @@ void FairFinishing::tighten(Attempt& attempt, std::span<const SurfacePoint> at,
 
 void FairFinishing::make_fair_apart(const FairGroup& group) {
   for (const JoinedCurves::Part& part : group.joined.parts) {
-    const FairGroup one = fair_group(hold_->drawing(), {{{part.curve, false}}});
-    begin(one, hold_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
+    const FairGroup one = fair_group(solver_->drawing(), {{{part.curve, false}}});
+    begin(one, solver_->fair_from(one, taus_of(one, *options_), taut_, *progress_));
   }
 }
 
 /// Whether the taut curve does not turn and is close to the drawing; it is then fair.
 bool FairFinishing::is_straight(Attempt& attempt) {
   const Taut& own = taut(attempt);
-  return own.is_close &&
-         !turns_by(kNoTurn, hold_->drawing().surface(), own.curve, hold_->drawing().corners());
+  return own.is_close && !total_turn_reaches(kNoTurn, solver_->drawing().surface(), own.curve,
+                                             solver_->drawing().corners());
 }
 
 /// Whether the taut curve turns as little as a fair curve and lies between the walls; false for
 /// groups with legs.
 bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
-  if (has_legs(hold_->drawing(), attempt.group)) return false;
-  const std::vector<SurfacePoint>& corners = hold_->drawing().corners();
+  if (has_legs(solver_->drawing(), attempt.group)) return false;
+  const std::vector<SurfacePoint>& corners = solver_->drawing().corners();
   const SurfaceCurve& taut = this->taut(attempt).curve;
-  return largest_turn_between(hold_->drawing().surface(), taut, corners) <= kMostFairTurn &&
+  return largest_turn_between(solver_->drawing().surface(), taut, corners) <= kMostFairTurn &&
          keeps_within(attempt.group, taus, taut);
 }
 
@@ -307,7 +307,7 @@ bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
 /// in narrower and narrower bands; with legs, from the taut curve with increasing tension. Empty if
 /// the result is beyond its walls or worse than the start curve.
 std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& taus) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const Surface& surface = drawing.surface();
   const FairGroup& group = attempt.group;
   const bool any_legs = has_legs(drawing, group);
@@ -315,7 +315,7 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   if (any_legs) {
     legs = leg_start(drawing, group, taut(attempt).curve, tension_of(taus.front()));
     if (!legs) return std::nullopt;
-    legs->tension.stronger = attempt.tighter;
+    legs->tension.factors = attempt.tighter;
   } else if (attempt.tries == kFromTaut && !taut(attempt).is_close) {
     return std::nullopt;
   }
@@ -323,8 +323,8 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
   if (result && !any_legs && needs_no_taut(group, taus, *result)) return result;
   if (!any_legs && is_straight(attempt)) return taut(attempt).curve;
   std::vector<SurfacePoint> bad;
-  if (result && is_pressed(surface, *result, taut(attempt).curve)) {
-    bad = pressed_points(surface, *result, taut(attempt).curve);
+  if (result && has_more_boundary_points(surface, *result, taut(attempt).curve)) {
+    bad = boundary_points_of(surface, *result, taut(attempt).curve);
   } else if (result && bends_more(attempt, *result)) {
     bad = bends_more_at(attempt, *result);
     if (!any_legs && !attempt.bent) attempt.bent = result;
@@ -338,26 +338,26 @@ std::optional<SurfaceCurve> FairFinishing::tried(Attempt& attempt, const Taus& t
 /// The fair curve of the current try, if it is between its walls.
 std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& taus,
                                                   const LegStart& legs) {
-  const EmbeddedDrawing& drawing = hold_->drawing();
+  const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;
   const bool any_legs = has_legs(drawing, group);
   std::optional<SurfaceCurve> result;
   const double band = kBands[attempt.tries];
-  hold_->with_fairing(group, taus, band, legs.tension, asker_, [&](CurveFairing& fairing) {
+  solver_->with_fairing(group, taus, band, legs.tension, poller_, [&](CurveFairing& fairing) {
     const auto start = [&] {
       if (!any_legs) {
-        return attempt.tries == kFromTaut ? hold_->traced(group, taut(attempt).curve)
-                                          : hold_->traced(group);
+        return attempt.tries == kFromTaut ? solver_->traced(group, taut(attempt).curve)
+                                          : solver_->traced(group);
       }
       CurveTrace trace = trace_through(drawing.surface(), taut(attempt).curve, legs.fixed);
       trace.set_corners(drawing.corners());
       return trace;
     };
     const auto own =
-        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), asker_);
-    if (fairing.is_lost()) attempt.tries = kTries - 1;
+        !any_legs && attempt.tries == 0 ? attempt.chain : fairing.from_curve(start(), poller_);
+    if (fairing.passes_too_many_faces()) attempt.tries = kTries - 1;
     if (!own) return;
-    auto fair = fairing.curve_of(*own, asker_);
+    auto fair = fairing.curve_of(*own, poller_);
     if (fair && fair->farthest <= 1) result = std::move(fair->curve);
   });
   return result;
@@ -367,8 +367,9 @@ std::optional<SurfaceCurve> FairFinishing::faired(Attempt& attempt, const Taus& 
 bool FairFinishing::keeps_within(const FairGroup& group, const Taus& taus,
                                  const SurfaceCurve& curve) {
   bool within = false;
-  hold_->with_fairing(group, taus, 1, {}, asker_,
-                      [&](const CurveFairing& fairing) { within = fairing.farthest(curve) <= 1; });
+  solver_->with_fairing(group, taus, 1, {}, poller_, [&](const CurveFairing& fairing) {
+    within = fairing.farthest(curve) <= 1;
+  });
   return within;
 }
 

@@ -29,17 +29,17 @@ namespace talweg {
 /// with crossings.
 class FairFinishing {
  public:
-  FairFinishing(CorridorHold& hold, const SmoothingOptions& options, TautCurves taut,
+  FairFinishing(CorridorSolver& solver, const SmoothingOptions& options, TautCurves taut,
                 const Progress& progress)
-      : hold_(&hold),
+      : solver_(&solver),
         options_(&options),
         taut_(std::move(taut)),
         progress_(&progress),
-        asker_(progress, "fair") {}
+        poller_(progress, "fair") {}
 
   /// Sets the curves, and their warnings. To be called once. Throws Cancelled.
   void run(const std::vector<FairGroup>& groups, const FairChains& chains,
-           std::vector<SmoothedCurve>& curves);
+           std::vector<CurveResult>& curves);
 
  private:
   struct Taut {
@@ -78,12 +78,12 @@ class FairFinishing {
   [[nodiscard]] bool keeps_within(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve);
 
-  CorridorHold* hold_;
+  CorridorSolver* solver_;
   const SmoothingOptions* options_;
   TautCurves taut_;
   const Progress* progress_;
-  Asker asker_;
-  std::vector<SmoothedCurve>* curves_ = nullptr;
+  ProgressPoller poller_;
+  std::vector<CurveResult>* curves_ = nullptr;
   std::vector<SurfaceCurve> now_;
   std::optional<CurvesByFace> by_face_;       // of now_; made on first use
   std::optional<CurvesByFace> taut_by_face_;  // of the taut curves

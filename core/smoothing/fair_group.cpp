@@ -52,13 +52,13 @@ bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group) {
 }
 
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,
-                                  const SurfaceCurve& taut, double relative) {
-  const std::vector<SurfaceCurve> curves = parted(group.joined, group.junctions, taut);
+                                  const SurfaceCurve& taut, double length_exponent) {
+  const std::vector<SurfaceCurve> curves = split_at_junctions(group.joined, group.junctions, taut);
   std::optional<LegStart> all;
   std::size_t last = 0;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const JoinedCurves::Part& part = group.joined.parts[k];
-    auto own = start_on(drawing.legs()[part.curve], curves[k], relative);
+    auto own = start_on(drawing.legs()[part.curve], curves[k], length_exponent);
     if (!own) return std::nullopt;
     if (part.reversed) own = reversed(*std::move(own), curves[k].points.size());
     if (!all) {

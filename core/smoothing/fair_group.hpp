@@ -41,6 +41,6 @@ bool has_legs(const EmbeddedDrawing& drawing, const FairGroup& group);
 /// The legs on the straightened curve of a group; empty if the curve does not pass the ends of the
 /// legs in order. O(points).
 std::optional<LegStart> leg_start(const EmbeddedDrawing& drawing, const FairGroup& group,
-                                  const SurfaceCurve& taut, double relative);
+                                  const SurfaceCurve& taut, double length_exponent);
 
 }  // namespace talweg

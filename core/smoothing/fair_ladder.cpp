@@ -42,16 +42,16 @@ SmoothingOptions straightening(const SmoothingOptions& options, std::size_t curv
 
 }  // namespace
 
-Straightened FairLadder::straightened(CorridorHold& hold, const SmoothingOptions& options,
+Straightened FairLadder::straightened(CorridorSolver& solver, const SmoothingOptions& options,
                                       const Progress& progress) {
-  using Walls = CorridorHold::Walls;
+  using Walls = CorridorSolver::Walls;
   std::vector<Walls> walls;
-  for (std::size_t c = 0; c < hold.valleys().size(); ++c) {
+  for (std::size_t c = 0; c < solver.valleys().size(); ++c) {
     walls.push_back(rung_of(options, c) ? Walls::kRough : Walls::kExact);
   }
-  const std::size_t curves = hold.drawing().drawing().curves().size();
-  Straightened straight = hold.straighten(straightening(options, curves), walls, progress);
-  hold.hold_lost_curves(options, straight);
+  const std::size_t curves = solver.drawing().drawing().curves().size();
+  Straightened straight = solver.straighten(straightening(options, curves), walls, progress);
+  solver.reset_lost_curves(options, straight);
   return straight;
 }
 
@@ -60,8 +60,9 @@ void FairLadder::clear() {
   straight_.reset();
 }
 
-const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, CorridorHold& hold,
-                                         const TautCurves& taut, const Progress& progress) {
+const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus,
+                                         CorridorSolver& solver, const TautCurves& taut,
+                                         const Progress& progress) {
   const auto known = rungs_[number].find(taus);
   if (known != rungs_[number].end()) return known->second;
   const FairGroup& group = groups_[number];
@@ -71,13 +72,13 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
   }
   Rung rung;
   if (next == taus) {
-    rung.chain = hold.fair_from(group, taus, taut, progress);
+    rung.chain = solver.fair_from(group, taus, taut, progress);
   } else {
-    const Rung& towards = this->rung(number, next, hold, taut, progress);
+    const Rung& towards = this->rung(number, next, solver, taut, progress);
     if (towards.chain) {
-      rung.chain = hold.fair_from(group, taus, *towards.start(), rung.trail, progress);
-      if (rung.chain) rung.onward = hold.evened(group, taus, *rung.chain, progress);
-      if (rung.onward && !hold.stands(group, taus, *rung.chain, progress)) {
+      rung.chain = solver.fair_from(group, taus, *towards.start(), rung.trail, progress);
+      if (rung.chain) rung.onward = solver.resampled(group, taus, *rung.chain, progress);
+      if (rung.onward && !solver.keeps_within_walls(group, taus, *rung.chain, progress)) {
         rung.chain.swap(rung.onward);
         rung.onward.reset();
         rung.trail.clear();
@@ -89,7 +90,7 @@ const FairLadder::Rung& FairLadder::rung(std::size_t number, const Taus& taus, C
 
 /// The chain of a group for the tau values of the options, interpolated between two rungs.
 std::optional<SampleChain> FairLadder::chain(std::size_t number, const SmoothingOptions& options,
-                                             CorridorHold& hold, const TautCurves& taut,
+                                             CorridorSolver& solver, const TautCurves& taut,
                                              const Progress& progress) {
   const FairGroup& group = groups_[number];
   Taus taus, from, to;
@@ -99,19 +100,20 @@ std::optional<SampleChain> FairLadder::chain(std::size_t number, const Smoothing
     from.push_back(rung);
     to.push_back(rung >= kOrigin && tau >= kOrigin ? 2 * rung : rung / 2);
   }
-  const Rung& start = rung(number, from, hold, taut, progress);
+  const Rung& start = rung(number, from, solver, taut, progress);
   if (taus == from) return start.chain;
-  const Rung& stop = rung(number, to, hold, taut, progress);
+  const Rung& stop = rung(number, to, solver, taut, progress);
   if (!start.chain || !stop.chain) return std::nullopt;
-  return hold.between(group, {from, *start.start()}, {to, *stop.chain}, stop.trail, taus, progress);
+  return solver.between(group, {from, *start.start()}, {to, *stop.chain}, stop.trail, taus,
+                        progress);
 }
 
-void FairLadder::keep_for(const CorridorHold& hold, const SmoothingOptions& options) {
-  const std::size_t curves = hold.drawing().drawing().curves().size();
-  Setting setting{hold.valleys(), {}, {}, hold.drawing().length_floor(options)};
+void FairLadder::keep_for(const CorridorSolver& solver, const SmoothingOptions& options) {
+  const std::size_t curves = solver.drawing().drawing().curves().size();
+  Setting setting{solver.valleys(), {}, {}, solver.drawing().length_floor(options)};
   const SmoothingOptions own = straightening(options, curves);
   for (std::size_t c = 0; c < curves; ++c) setting.taus.push_back(own.tau_of(c));
-  groups_ = hold.groups(options);
+  groups_ = solver.groups(options);
   for (const FairGroup& group : groups_) setting.groups.push_back(group.joined);
   if (!(setting_ == setting)) clear();
   setting_ = std::move(setting);
@@ -122,13 +124,13 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
                             const Progress& progress) {
   const bool whole = options.prepare_whole_mesh;  // its report has other counts
   if (whole) clear();
-  keep_for(hold, options);
+  keep_for(solver, options);
   StageTimes times;
   bool asked = false;
   const TautCurves taut = [&]() -> const Straightened& {
     asked = true;
     if (!straight_) {
-      straight_ = straightened(hold, options, progress);
+      straight_ = straightened(solver, options, progress);
       times = straight_->time_ms;
     }
     return *straight_;
@@ -142,16 +144,16 @@ Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
       return rung_of(options, part.curve).has_value();
     };
     if (std::all_of(parts.begin(), parts.end(), has_rung)) {
-      chains.push_back(chain(g, options, hold, taut, progress));
-    } else if (CorridorHold::is_faired(options, parts.front().curve)) {
-      chains.push_back(hold.fair_from(groups_[g], taus_of(groups_[g], options), taut, progress));
+      chains.push_back(chain(g, options, solver, taut, progress));
+    } else if (CorridorSolver::is_faired(options, parts.front().curve)) {
+      chains.push_back(solver.fair_from(groups_[g], taus_of(groups_[g], options), taut, progress));
     } else {
       chains.emplace_back();
     }
   }
-  Smoothed result;
-  result.curves.resize(hold.drawing().drawing().curves().size());
-  FairFinishing(hold, options, taut, progress).run(groups_, chains, result.curves);
+  DomainResult result;
+  result.curves.resize(solver.drawing().drawing().curves().size());
+  FairFinishing(solver, options, taut, progress).run(groups_, chains, result.curves);
   if (asked) report_straightening(*straight_, result);
   result.time_ms = times;
   result.time_ms.fair = std::max(0.0, watch.ms() - times.straighten - times.trace);

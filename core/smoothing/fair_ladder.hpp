@@ -54,12 +54,12 @@ class FairLadder {
 
     bool operator==(const Setting&) const = default;
   };
-  const Rung& rung(std::size_t number, const Taus& taus, CorridorHold& hold, const TautCurves& taut,
-                   const Progress& progress);
+  const Rung& rung(std::size_t number, const Taus& taus, CorridorSolver& solver,
+                   const TautCurves& taut, const Progress& progress);
   std::optional<SampleChain> chain(std::size_t number, const SmoothingOptions& options,
-                                   CorridorHold& hold, const TautCurves& taut,
+                                   CorridorSolver& solver, const TautCurves& taut,
                                    const Progress& progress);
-  void keep_for(const CorridorHold& hold, const SmoothingOptions& options);
+  void keep_for(const CorridorSolver& solver, const SmoothingOptions& options);
 
   std::vector<FairGroup> groups_;
   std::vector<std::map<Taus, Rung>> rungs_;  // per group

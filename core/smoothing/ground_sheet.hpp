@@ -16,18 +16,18 @@ namespace talweg {
 /// itself. Deviations are measured on the mesh. Only for the corridor.
 class GroundSheet final : public Sheet {
  public:
-  GroundSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
-              const Progress& progress);
+  GroundDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
+               const Progress& progress);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress) override;
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
 
  private:
   [[nodiscard]] bool is_fair(const SmoothingOptions& options) const;
   [[nodiscard]] std::vector<DrawnLegs> legs() const;
-  Sheet& as_it_is(const Progress& progress);
+  SmoothingDomain& as_it_is(const Progress& progress);
 
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;

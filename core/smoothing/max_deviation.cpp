@@ -200,8 +200,8 @@ class BoundSearch {
     if (!to_result_) to_result_.emplace(smoother_.opened().surface());
     SurfaceCurve result = last_.curves[c];
     if (orders_[c].reversed) std::reverse(result.points.begin(), result.points.end());
-    Asker asker(progress_, "measure");
-    const AskedDuring asked(*to_result_, asker);
+    ProgressPoller poller(progress_, "measure");
+    const ScopedPoller scoped(*to_result_, poller);
     to_result_->set(std::span(&result, 1));
     std::vector<double> distances;
     for (std::size_t i = 0; i < ordered_[c].points.size(); ++i) {

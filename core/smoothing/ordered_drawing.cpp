@@ -28,7 +28,7 @@ constexpr std::size_t kOfPoint = 8;  // units of work per point
 }  // namespace
 
 OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
-                               std::span<const StrokeSlack> slacks, Asker& asker)
+                               std::span<const StrokeSlack> slacks, ProgressPoller& poller)
     : drawn_(drawn.begin(), drawn.end()) {
   const Surface& surface = mesh.surface();
   std::vector<CurveOrder> orders;
@@ -36,7 +36,7 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
   orders.reserve(drawn_.size());
   ordered.reserve(drawn_.size());
   for (const SurfaceCurve& curve : drawn_) {
-    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    const auto next = [&] { poller.add_work(kOfPoint * curve.points.size()); };
     next();
     orders.push_back(canonical_order(mesh, curve));
     ordered.push_back(in_order(curve, orders.back()));
@@ -49,7 +49,7 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     const SurfaceCurve& curve = ordered_.emplace_back(std::move(ordered[c]));
     slacks_.push_back(slacks.empty() ? StrokeSlack{}
                                      : talweg::in_order(slacks[c], mesh, drawn_[c], orders[c]));
-    const auto next = [&] { asker.did(kOfPoint * curve.points.size()); };
+    const auto next = [&] { poller.add_work(kOfPoint * curve.points.size()); };
     next();
     edges_near_.push_back(edge_length_near(surface, curve));
     next();
@@ -127,9 +127,9 @@ void check_drawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves
                    const CurveOptions& options, const Progress& progress) {
   if (curves.empty()) throw Error(ErrorCode::kBadUsage, "There is no curve to smooth.");
   options.validate();
-  Asker asker(progress, "embed");
+  ProgressPoller poller(progress, "embed");
   for (const SurfaceCurve& curve : curves) {
-    asker.did(kOfPoint * curve.points.size());
+    poller.add_work(kOfPoint * curve.points.size());
     check_drawn(mesh.surface(), curve);
   }
   check_pins(curves, options.pins);
@@ -144,8 +144,8 @@ OrderedDrawing checked_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
                                std::span<const StrokeSlack> slacks, const CurveOptions& options,
                                const Progress& progress) {
   check_drawing(mesh, curves, options, progress);
-  Asker asker(progress, "embed");
-  return {mesh, curves, slacks, asker};
+  ProgressPoller poller(progress, "embed");
+  return {mesh, curves, slacks, poller};
 }
 
 }  // namespace talweg

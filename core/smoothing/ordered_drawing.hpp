@@ -25,7 +25,7 @@ class OrderedDrawing {
   /// The curves must pass check_drawn(). Throws Error(kBadCurve) for a curve without length,
   /// Cancelled.
   OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
-                 std::span<const StrokeSlack> slacks, Asker& asker);
+                 std::span<const StrokeSlack> slacks, ProgressPoller& poller);
 
   /// The curves in drawn order.
   [[nodiscard]] const std::vector<SurfaceCurve>& drawn() const { return drawn_; }

@@ -10,20 +10,21 @@
 namespace talweg {
 namespace {
 
-Smoothed straightened_and_relaxed(EmbeddedDrawing& drawing, const SmoothingOptions& options,
-                                  SignpostTriangulation::Metric metric, const Progress& progress) {
+DomainResult straightened_and_relaxed(EmbeddedDrawing& drawing, const SmoothingOptions& options,
+                                      SignpostTriangulation::Metric metric,
+                                      const Progress& progress) {
   Straightened straight = drawing.straighten(options, std::move(metric), progress);
   const Stopwatch watch;
   relax(drawing.mesh(), straight.curves, {options.relax_rounds, drawing.fixed()}, progress);
-  Smoothed result = smoothed_from(std::move(straight));
+  DomainResult result = domain_result_from(std::move(straight));
   result.time_ms.relax = watch.ms();
   return result;
 }
 
 }  // namespace
 
-Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
-                   const SmoothingOptions& options, const Progress& progress) {
+DomainResult smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
+                       const SmoothingOptions& options, const Progress& progress) {
   const std::size_t own = drawing.surface().vertex_count(), k = potential.components;
   const std::vector<double> inserted = drawing.straightening().at_inserted(potential.values, k);
   const auto metric = [&](VertexId p, VertexId q, double length) {
@@ -33,7 +34,7 @@ Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
     };
     return lifted_length(length, at(p), at(q));
   };
-  Smoothed result = straightened_and_relaxed(drawing, options, metric, progress);
+  DomainResult result = straightened_and_relaxed(drawing, options, metric, progress);
   result.potential = PotentialKind::kCustom;
   return result;
 }
@@ -46,7 +47,7 @@ void PaperMethod::set_distance(std::vector<double> distance) {
   lift_.set(std::move(distance), drawing_->drawing().curves().size() > 1);
 }
 
-Smoothed PaperMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
+DomainResult PaperMethod::smooth(const SmoothingOptions& options, const Progress& progress) {
   if (options.tau == 0) {
     return straightened_and_relaxed(*drawing_, options, unlifted_length, progress);
   }

@@ -39,7 +39,7 @@ double longest_side(const Surface& surface, FaceId face) {
 /// A triangulation that is refined by bisection, with the segments of curves in its triangles.
 class Bisection {
  public:
-  Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker);
+  Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, ProgressPoller& poller);
 
   void add(std::size_t curve, const SurfaceCurve& drawn);
   void divide(std::span<const FaceId> faces, std::span<const double> longest);
@@ -76,7 +76,7 @@ class Bisection {
   [[nodiscard]] bool is_too_large(const Piece& piece, std::span<const double> longest) const;
 
   const SurfaceMesh& mesh_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<Point> points_;
   std::vector<Piece> pieces_;
   ZeroedVector<Index> of_face_;  // per face, its piece plus 1
@@ -84,12 +84,12 @@ class Bisection {
   std::vector<Index> first_;  // per curve, its first segment
 };
 
-Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Asker& asker)
-    : mesh_(mesh), asker_(asker), of_face_(mesh.surface().face_count()) {
+Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, ProgressPoller& poller)
+    : mesh_(mesh), poller_(poller), of_face_(mesh.surface().face_count()) {
   const Surface& surface = mesh.surface();
   ZeroedVector<Index> known(surface.vertex_count());  // per vertex, its number plus 1
   for (const FaceId face : faces) {
-    asker_.did(kOfFace);
+    poller_.add_work(kOfFace);
     Piece piece{{}, {}, {}, face, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, false, {}};
     const auto corners = surface.corners(face);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -104,7 +104,7 @@ Bisection::Bisection(const SurfaceMesh& mesh, std::span<const FaceId> faces, Ask
     of_face_[face.index()] = static_cast<Index>(pieces_.size());
   }
   for (Piece& piece : pieces_) {
-    asker_.did(kOfFace);
+    poller_.add_work(kOfFace);
     HalfedgeId h = surface.halfedge(piece.face);
     for (std::size_t k = 0; k < 3; ++k, h = surface.next(h)) {
       const bool inner = surface.has_face(twin(h));
@@ -160,7 +160,7 @@ std::size_t Bisection::side_towards(Index piece, Index from, Index to) const {
 void Bisection::bisect(Index piece) {
   std::vector<Index> stack{piece};
   while (!stack.empty()) {
-    asker_.did(kOfFace);
+    poller_.add_work(kOfFace);
     const Index t = stack.back();
     const std::size_t side = longest_side(t);
     const Index a = pieces_[t].corners[side], b = pieces_[t].corners[(side + 1) % 3];
@@ -270,7 +270,7 @@ void Bisection::divide(std::span<const FaceId> faces, std::span<const double> lo
   while (!queue.empty() && pieces_.size() < most) {
     const Index piece = queue.front();
     queue.pop();
-    asker_.did(kOfFace);
+    poller_.add_work(kOfFace);
     const auto first = static_cast<Index>(pieces_.size());
     while (is_too_large(pieces_[piece], longest) && pieces_.size() < most) bisect(piece);
     for (Index k = first; k < pieces_.size(); ++k) queue.push(k);
@@ -282,7 +282,7 @@ RefinedMesh Bisection::result(std::size_t curves) && {
   result.lists.points = std::move(points_);
   result.at_cut.assign(result.lists.points.size(), false);
   for (const Piece& piece : pieces_) {
-    asker_.did(kOfFace);
+    poller_.add_work(kOfFace);
     for (std::size_t k = 0; k < 3; ++k) {
       if (piece.cut[k]) {
         result.at_cut[piece.corners[k]] = result.at_cut[piece.corners[(k + 1) % 3]] = true;
@@ -338,7 +338,7 @@ void fill_pinches(const Surface& surface, std::vector<std::size_t>& faces) {
 
 /// The faces along the curves and within `reach` of them (mesh units, along edges), ascending.
 std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                 double reach, Asker& asker) {
+                                 double reach, ProgressPoller& poller) {
   const Surface& surface = mesh.surface();
   ZeroedVector<double> nearness(surface.vertex_count());  // 1 / (1 + way); 0 if not reached
   using Item = std::pair<double, std::size_t>;
@@ -360,7 +360,7 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
   while (!queue.empty()) {
     const auto [way, id] = queue.top();
     queue.pop();
-    asker.did(kOfFace);
+    poller.add_work(kOfFace);
     const VertexId v{id};
     if (nearness[id] > 1 / (1 + way)) continue;
     const HalfedgeId first = surface.halfedge(v);
@@ -372,12 +372,12 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
       if (h == first) break;
     }
   }
-  asker.ask();
+  poller.poll();
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   fill_pinches(surface, faces);
   std::sort(faces.begin(), faces.end());
-  asker.ask();
+  poller.poll();
   std::vector<FaceId> result;
   result.reserve(faces.size());
   for (const std::size_t f : faces) result.emplace_back(f);
@@ -416,8 +416,8 @@ std::vector<FaceId> too_large_faces(const SurfaceMesh& mesh, const SurfaceCurve&
 RefinedMesh refine_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                          std::span<const FaceId> faces, std::span<const double> longest,
                          double reach, const Progress& progress) {
-  Asker asker(progress, "solve");
-  Bisection bisection(mesh, faces_around(mesh, curves, reach, asker), asker);
+  ProgressPoller poller(progress, "solve");
+  Bisection bisection(mesh, faces_around(mesh, curves, reach, poller), poller);
   for (std::size_t c = 0; c < curves.size(); ++c) bisection.add(c, curves[c]);
   bisection.divide(faces, longest);
   return std::move(bisection).result(curves.size());

@@ -56,8 +56,8 @@ std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawin
   return faces;
 }
 
-RefinedSheet::RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
-                           CurveOptions options, const Progress& progress)
+RefinedDomain::RefinedDomain(const SurfaceMesh& mesh, const OrderedDrawing& drawing,
+                             CurveOptions options, const Progress& progress)
     : mesh_(&mesh), drawing_(&drawing), options_(std::move(options)) {
   parts_.push_back(part_within(reach(), progress));
 }
@@ -72,8 +72,8 @@ double RefinedSheet::reach() const {
   return reach;
 }
 
-std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
-                                                              const Progress& progress) {
+std::unique_ptr<RefinedDomain::Part> RefinedDomain::part_within(double reach,
+                                                                const Progress& progress) {
   const Stopwatch watch;
   std::vector<double> longest;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
@@ -89,14 +89,14 @@ std::unique_ptr<RefinedSheet::Part> RefinedSheet::part_within(double reach,
   const CurveOptions options = options_there(options_, copies_on(part->mesh, curves));
   part->drawing =
       checked_drawing(part->memory->mesh(), curves, drawing_->slacks(), options, progress);
-  part->sheet = undivided_sheet_for(*part->memory, part->drawing, options, &part->mesh.at_cut,
-                                    std::nullopt, progress);
+  part->domain = undivided_domain_for(*part->memory, part->drawing, options, &part->mesh.at_cut,
+                                      std::nullopt, progress);
   solve_ms_ += watch.ms();
   return part;
 }
 
-PointCopies RefinedSheet::copies_on(const RefinedMesh& mesh,
-                                    std::span<const SurfaceCurve> curves) const {
+PointCopies RefinedDomain::copies_on(const RefinedMesh& mesh,
+                                     std::span<const SurfaceCurve> curves) const {
   PointCopies copies;
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
@@ -108,19 +108,20 @@ PointCopies RefinedSheet::copies_on(const RefinedMesh& mesh,
   return copies;
 }
 
-void RefinedSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+void RefinedDomain::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Part>& part : parts_) {
-    part->sheet->set_pins(copies_on(part->mesh, part->drawing.drawn()).of(options_.pins), progress);
+    part->domain->set_pins(copies_on(part->mesh, part->drawing.drawn()).of(options_.pins),
+                           progress);
   }
 }
 
-std::vector<double> RefinedSheet::slack() const {
-  return parts_.front()->drawing.in_drawn_order(parts_.front()->sheet->slack());
+std::vector<double> RefinedDomain::slack() const {
+  return parts_.front()->drawing.in_drawn_order(parts_.front()->domain->slack());
 }
 
-Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
-                              const Progress& progress) {
+DomainResult RefinedDomain::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                                   const Progress& progress) {
   bool held = true;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
     held = held && options.tau_of(c) >= kLeastHeldTau;
@@ -133,7 +134,7 @@ Smoothed RefinedSheet::smooth(const SmoothingOptions& options, const GivenPotent
   for (std::size_t k = 0;; ++k, reach *= 2) {
     if (k == parts_.size()) parts_.push_back(part_within(reach, progress));
     const Part& part = *parts_[k];
-    Smoothed result = smooth_on(part, lazy, given, progress);
+    DomainResult result = smooth_on(part, lazy, given, progress);
     if (may_leave(part.mesh.at_cut, part.memory->surface(), result)) continue;
     if (options.prepare_whole_mesh) result = smooth_on(part, options, given, progress);
     return coarse(part, std::move(result));
@@ -149,11 +150,11 @@ Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& optio
   }
   if (given == nullptr) {
     return as_drawn(part.drawing,
-                    part.sheet->smooth(part.drawing.ordered(std::move(own)), nullptr, progress));
+                    part.domain->smooth(part.drawing.ordered(std::move(own)), nullptr, progress));
   }
   const std::vector<double> values = values_on(part.mesh, mesh_->surface(), *given);
   const GivenPotential there{values, given->components};
-  return as_drawn(part.drawing, part.sheet->smooth(own, &there, progress));
+  return as_drawn(part.drawing, part.domain->smooth(own, &there, progress));
 }
 
 /// The slack along the curve on the refined part, linear between the points of the drawing.
@@ -172,7 +173,7 @@ std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
 /// The result, converted to the mesh.
 Smoothed RefinedSheet::coarse(const Part& part, Smoothed smoothed) const {
   const Surface& fine = part.memory->surface();
-  for (SmoothedCurve& curve : smoothed.curves) {
+  for (CurveResult& curve : smoothed.curves) {
     curve.curve = part.mesh.coarse(fine, mesh_->surface(), curve.curve);
   }
   smoothed.engine = Engine::kRefined;

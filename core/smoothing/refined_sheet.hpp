@@ -25,8 +25,8 @@ class RefinedSheet final : public Sheet {
   RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
                const Progress& progress);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress) override;
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
 
@@ -36,7 +36,7 @@ class RefinedSheet final : public Sheet {
     RefinedMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;
     OrderedDrawing drawing;
-    std::unique_ptr<Sheet> sheet;
+    std::unique_ptr<SmoothingDomain> domain;
   };
   [[nodiscard]] double reach() const;
   std::unique_ptr<Part> part_within(double reach, const Progress& progress);
@@ -44,9 +44,9 @@ class RefinedSheet final : public Sheet {
                                       std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] std::vector<double> slack_on(const Part& part, std::size_t curve,
                                              const std::vector<double>& drawn) const;
-  Smoothed smooth_on(const Part& part, const SmoothingOptions& options, const GivenPotential* given,
-                     const Progress& progress);
-  [[nodiscard]] Smoothed coarse(const Part& part, Smoothed smoothed) const;
+  DomainResult smooth_on(const Part& part, const SmoothingOptions& options,
+                         const GivenPotential* given, const Progress& progress);
+  [[nodiscard]] DomainResult coarse(const Part& part, DomainResult smoothed) const;
 
   const SurfaceMesh* mesh_;
   const OrderedDrawing* drawing_;

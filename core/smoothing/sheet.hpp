@@ -22,10 +22,10 @@ namespace talweg {
 /// Cancelled; set_pins() must then be called again.
 class Sheet {
  public:
-  Sheet() = default;
-  virtual ~Sheet() = default;
-  Sheet(const Sheet&) = delete;
-  Sheet& operator=(const Sheet&) = delete;
+  SmoothingDomain() = default;
+  virtual ~SmoothingDomain() = default;
+  SmoothingDomain(const SmoothingDomain&) = delete;
+  SmoothingDomain& operator=(const SmoothingDomain&) = delete;
 
   /// `given`: a potential on the mesh that replaces the method's potential; null for none.
   virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,

@@ -9,14 +9,14 @@
 
 namespace talweg {
 
-std::unique_ptr<Sheet> sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                 const CurveOptions& options,
-                                 std::optional<std::vector<double>> distance, double roughness,
-                                 const Progress& progress) {
+std::unique_ptr<SmoothingDomain> domain_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                                            const CurveOptions& options,
+                                            std::optional<std::vector<double>> distance,
+                                            double roughness, const Progress& progress) {
   if (options.method == Method::kCorridor && roughness > kLeastRoughness) {
-    return std::make_unique<GroundSheet>(memory, drawing, options, progress);
+    return std::make_unique<GroundDomain>(memory, drawing, options, progress);
   }
-  return sheet_on(memory, drawing, options, std::move(distance), progress);
+  return domain_on(memory, drawing, options, std::move(distance), progress);
 }
 
 std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
@@ -26,9 +26,9 @@ std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& d
   // The paper's method uses the vertices of the mesh only.
   if (options.method == Method::kCorridor &&
       !faces_to_divide(memory.mesh(), drawing, options).empty()) {
-    return std::make_unique<RefinedSheet>(memory.mesh(), drawing, options, progress);
+    return std::make_unique<RefinedDomain>(memory.mesh(), drawing, options, progress);
   }
-  return undivided_sheet_for(memory, drawing, options, nullptr, std::move(distance), progress);
+  return undivided_domain_for(memory, drawing, options, nullptr, std::move(distance), progress);
 }
 
 }  // namespace talweg

@@ -15,7 +15,7 @@
 
 namespace talweg {
 
-struct SmoothedCurve {
+struct CurveResult {
   SurfaceCurve curve;
   StraightenedPath path;
   bool has_legs = false;              ///< the result may be far from the drawing there

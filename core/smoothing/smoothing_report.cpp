@@ -29,7 +29,7 @@ Outcome outcome_of(Termination termination) {
 }
 
 void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& options,
-                           const Smoothed& smoothed, Termination termination) {
+                           const DomainResult& smoothed, Termination termination) {
   if (termination == Termination::kLimit && !options.max_iterations &&
       options.min_relative_length == 0) {
     warn_decisively(report,
@@ -74,7 +74,7 @@ CurveMeasures turns_as_on(const CurveMeasures& on_mesh, CurveMeasures on_ground)
   return on_ground;
 }
 
-void add_run(SmoothingReport& report, const Smoothed& smoothed) {
+void add_run(SmoothingReport& report, const DomainResult& smoothed) {
   report.potential = smoothed.potential;
   report.engine = smoothed.engine;
   report.flips = smoothed.counts.flips;
@@ -87,7 +87,7 @@ void add_run(SmoothingReport& report, const Smoothed& smoothed) {
   report.peak_memory_mib = peak_memory_mib();
 }
 
-void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
+void add_curve(SmoothingReport& report, const CurveResult& curve) {
   report.slack = curve.slack;
   report.warnings.insert(report.warnings.end(), curve.warnings.begin(), curve.warnings.end());
   if (!curve.left_taut.empty()) warn_decisively(report, {curve.left_taut});
@@ -103,7 +103,7 @@ void add_curve(SmoothingReport& report, const SmoothedCurve& curve) {
 }  // namespace
 
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
-                         const SmoothingOptions& options, Smoothed smoothed) {
+                         const SmoothingOptions& options, DomainResult smoothed) {
   StageTimes& t = smoothed.time_ms;
   t.open += mesh.open_ms();
   t.total = t.open + t.solve + t.straighten + t.trace + t.relax + t.fair + t.measure;
@@ -135,7 +135,7 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     warn_of_straightening(report, options, smoothed, smoothed.curves[c].path.termination);
     warn_of_crossings(report);
   }
-  for (SmoothedCurve& curve : smoothed.curves) result.curves.push_back(std::move(curve.curve));
+  for (CurveResult& curve : smoothed.curves) result.curves.push_back(std::move(curve.curve));
   return result;
 }
 

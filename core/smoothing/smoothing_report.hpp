@@ -13,7 +13,7 @@ namespace talweg {
 /// The smoothed curves, which must be on the mesh, with a report on each, in the drawing's order.
 /// The total is not set.
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
-                         const SmoothingOptions& options, Smoothed smoothed);
+                         const SmoothingOptions& options, DomainResult smoothed);
 
 /// The result of a cancelled smoothing: the drawn curves, with the termination kCancelled.
 /// `options` are for the curves in drawn order.

@@ -11,12 +11,13 @@
 
 namespace talweg {
 
-std::unique_ptr<Sheet> undivided_sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                           const CurveOptions& options,
-                                           const std::vector<bool>* fence,
-                                           std::optional<std::vector<double>> distance,
-                                           const Progress& progress) {
-  auto whole = std::make_unique<WholeSheet>(memory, drawing, options,
+std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory,
+                                                      const OrderedDrawing& drawing,
+                                                      const CurveOptions& options,
+                                                      const std::vector<bool>* fence,
+                                                      std::optional<std::vector<double>> distance,
+                                                      const Progress& progress) {
+  auto whole = std::make_unique<MeshDomain>(memory, drawing, options,
                                             EmbeddedDrawing::Ground{Loops::kKeep, fence}, progress);
   const Straightening& straightening = memory.straightening();
   const PathContacts contacts = path_contacts(straightening.triangulation(), straightening.paths());
@@ -26,8 +27,8 @@ std::unique_ptr<Sheet> undivided_sheet_for(SmoothingMemory& memory, const Ordere
        !whole->let_cross(
            std::accumulate(contacts.crossings.begin(), contacts.crossings.end(), std::size_t{0}),
            progress))) {
-    return std::make_unique<UnrolledSheet>(memory, drawing, options, contacts.tangled,
-                                           std::move(distance), progress);
+    return std::make_unique<UnrolledDomain>(memory, drawing, options, contacts.tangled,
+                                            std::move(distance), progress);
   }
   if (distance) {
     whole->set_distance(*std::move(distance));

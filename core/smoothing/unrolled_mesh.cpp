@@ -22,7 +22,7 @@ constexpr double kStraighter = 0.8;  // length of a way across faces, relative t
 /// corner to the next corner of the copy.
 class Strip {
  public:
-  Strip(const Surface& surface, Asker& asker) : surface_(surface), asker_(asker) {}
+  Strip(const Surface& surface, ProgressPoller& poller) : surface_(surface), poller_(poller) {}
 
   /// Lays copies of faces along a curve. False if the strip of a closed curve does not return to
   /// its first copy from any of the tried starts.
@@ -85,7 +85,7 @@ class Strip {
                 std::span<const double> arcs, std::size_t start);
 
   const Surface& surface_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<FaceId> faces_;
   std::vector<Index> across_;
   std::vector<Index> older_;                       // per copy, the previous copy of its face
@@ -100,7 +100,7 @@ class Strip {
 };
 
 Strip::Index Strip::add(FaceId face) {
-  asker_.did(kOfUnrolledFace);
+  poller_.add_work(kOfUnrolledFace);
   faces_.push_back(face);
   across_.insert(across_.end(), 3, kOpen);
   place_.push_back(here_);
@@ -373,7 +373,7 @@ void Strip::grow(double reach) {
   while (!queue.empty()) {
     const auto [near, side] = queue.top();
     queue.pop();
-    asker_.did(kOfUnrolledFace);
+    poller_.add_work(kOfUnrolledFace);
     if (across_[side] != kOpen || !surface_.has_face(twin(halfedge(side)))) continue;
     if (close_at(side, true) || close_at(side, false)) continue;
     const HalfedgeId h = halfedge(side);
@@ -500,18 +500,18 @@ SurfacePoint moved(const Surface& from_surface, FaceId from_face, const SurfaceP
 
 UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                     const std::vector<bool>& alone, double reach, const Progress& progress) {
-  Asker asker(progress, "solve");
+  ProgressPoller poller(progress, "solve");
   const Surface& surface = mesh.surface();
   UnrolledMesh result;
   result.curves.resize(curves.size());
   std::vector<std::size_t> together;
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    Strip strip(surface, asker);
+    Strip strip(surface, poller);
     const std::size_t first = result.face_of.size();
     const auto is_laid = [&] {
       if (!strip.lay_along(curves[c])) return false;
       strip.grow(reach);
-      asker.ask();
+      poller.poll();
       return append(mesh, strip, result);
     };
     if (!alone[c] || !is_laid()) {
@@ -528,7 +528,7 @@ UnrolledMesh unroll(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curve
     }
   }
   if (together.empty()) return result;
-  asker.ask();
+  poller.poll();
   const std::size_t first = result.face_of.size();
   append_whole(mesh, result);
   for (const std::size_t c : together) {

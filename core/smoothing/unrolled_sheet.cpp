@@ -27,9 +27,10 @@ std::string limited_to(double distance) {
 
 }  // namespace
 
-UnrolledSheet::UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                             CurveOptions options, const std::vector<bool>& alone,
-                             std::optional<std::vector<double>> distance, const Progress& progress)
+UnrolledDomain::UnrolledDomain(SmoothingMemory& memory, const OrderedDrawing& drawing,
+                               CurveOptions options, const std::vector<bool>& alone,
+                               std::optional<std::vector<double>> distance,
+                               const Progress& progress)
     : memory_(&memory),
       drawing_(&drawing),
       options_(std::move(options)),
@@ -72,7 +73,7 @@ void UnrolledSheet::set_reach() {
   most_faces_ = std::max(kFewFaces, surface.face_count() / (all_free ? 1 : 8));
 }
 
-std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
+std::unique_ptr<UnrolledDomain::Strips> UnrolledDomain::laid_strips(
     const std::vector<SurfaceCurve>& drawn, const std::vector<bool>& is_ring,
     const Progress& progress) const {
   auto strips = std::make_unique<Strips>();
@@ -85,7 +86,7 @@ std::unique_ptr<UnrolledSheet::Strips> UnrolledSheet::laid_strips(
   const CurveOptions own = options_on(*strips, curves);
   strips->drawing =
       checked_drawing(strips->memory->mesh(), curves, drawing_->slacks(), own, progress);
-  strips->sheet = std::make_unique<WholeSheet>(
+  strips->domain = std::make_unique<MeshDomain>(
       *strips->memory, strips->drawing, own,
       EmbeddedDrawing::Ground{Loops::kErase, &strips->mesh.at_cut}, progress);
   return strips;
@@ -112,21 +113,21 @@ bool UnrolledSheet::open_lost_rings(Strips& strips) const {
   return any;
 }
 
-void UnrolledSheet::add_strips(const Progress& progress) {
+void UnrolledDomain::add_strips(const Progress& progress) {
   const Stopwatch watch;
   auto strips = laid_strips(curves_, is_ring_, progress);
   if (open_lost_rings(*strips)) strips = laid_strips(strips->drawn, strips->is_ring, progress);
   if (options_.method == Method::kPaper) {
-    strips->sheet->set_distance(copies_of(*strips, {lift_.distance(), 1}));
+    strips->domain->set_distance(copies_of(*strips, {lift_.distance(), 1}));
   } else {
-    strips->sheet->solve(progress);
+    strips->domain->solve(progress);
   }
   strips_.push_back(std::move(strips));
   reach_ *= 2;
   solve_ms_ += watch.ms();
 }
 
-void UnrolledSheet::close_rings() {
+void UnrolledDomain::close_rings() {
   curves_ = drawing_->curves();
   is_ring_.assign(curves_.size(), false);
   if (options_.method != Method::kCorridor || !options_.join_ends) return;
@@ -141,8 +142,8 @@ void UnrolledSheet::close_rings() {
   }
 }
 
-CurveOptions UnrolledSheet::options_on(const Strips& strips,
-                                       std::span<const SurfaceCurve> curves) const {
+CurveOptions UnrolledDomain::options_on(const Strips& strips,
+                                        std::span<const SurfaceCurve> curves) const {
   CurveOptions there = options_there(options_, copies_on(strips, curves));
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (strips.is_ring[c]) there.pins.push_back(curves[c].points.front());
@@ -150,7 +151,7 @@ CurveOptions UnrolledSheet::options_on(const Strips& strips,
   return there;
 }
 
-SmoothingOptions UnrolledSheet::options_on(const Strips& strips, SmoothingOptions options) const {
+SmoothingOptions UnrolledDomain::options_on(const Strips& strips, SmoothingOptions options) const {
   if (options_.method == Method::kPaper) return with_length_of_mesh(options);
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     if (strips.is_ring[c]) options.slack_at[c].pop_back();
@@ -172,7 +173,7 @@ Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
   return smoothed;
 }
 
-std::vector<double> UnrolledSheet::copies_of(const Strips& strips, const GivenPotential& given) {
+std::vector<double> UnrolledDomain::copies_of(const Strips& strips, const GivenPotential& given) {
   std::vector<double> copies;
   for (const VertexId v : strips.mesh.vertex_of) {
     const auto values = given.values.subspan(v.index() * given.components, given.components);
@@ -191,20 +192,20 @@ PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const Surfa
   return copies;
 }
 
-void UnrolledSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+void UnrolledDomain::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   options_.pins.assign(pins.begin(), pins.end());
   for (const std::unique_ptr<Strips>& strips : strips_) {
-    strips->sheet->set_pins(options_on(*strips, strips->drawing.drawn()).pins, progress);
+    strips->domain->set_pins(options_on(*strips, strips->drawing.drawn()).pins, progress);
   }
 }
 
-std::vector<double> UnrolledSheet::slack() const {
-  const std::vector<double> slack = strips_.front()->sheet->slack();
+std::vector<double> UnrolledDomain::slack() const {
+  const std::vector<double> slack = strips_.front()->domain->slack();
   return slack.empty() ? slack : strips_.front()->drawing.in_drawn_order(slack);
 }
 
-Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
-                               const Progress& progress) {
+DomainResult UnrolledDomain::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                                    const Progress& progress) {
   for (std::size_t k = 0;; ++k) {
     if (k == strips_.size()) add_strips(progress);
     const Strips& strips = *strips_[k];
@@ -220,7 +221,7 @@ Smoothed UnrolledSheet::smooth(const SmoothingOptions& options, const GivenPoten
       own.prepare_whole_mesh = true;
       result = curves_on(strips, own, given, progress);
     }
-    strips.sheet->measure(own, result, progress);
+    strips.domain->measure(own, result, progress);
     if (bound_deviation(strips, result) && may_grow_to(kFewFaces)) continue;
     if (leaves) result.warnings.push_back(limited_to(strips.mesh.near));
     return folded(strips, as_drawn(strips.drawing, std::move(result)), progress);
@@ -233,14 +234,14 @@ Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& 
   if (given == nullptr) return strips.sheet->curves(options, nullptr, progress);
   const std::vector<double> values = copies_of(strips, *given);
   const GivenPotential there{values, given->components};
-  return strips.sheet->curves(options, &there, progress);
+  return strips.domain->curves(options, &there, progress);
 }
 
 /// Replaces a deviation beyond UnrolledMesh::near by bounds: the distance could be shorter on
 /// strips with a longer reach. Tells whether there is any.
 bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
   bool any = false;
-  for (SmoothedCurve& curve : result.curves) {
+  for (CurveResult& curve : result.curves) {
     MeasuredDeviation& deviation = curve.deviation;
     if (deviation.measure != DeviationMeasure::kAlongSurface) continue;
     if (!(deviation.from_drawn_max > strips.mesh.near)) continue;
@@ -275,7 +276,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
   std::vector<SurfacePoint> pins = options_.pins;
   pins.insert(pins.end(), options_.corners.begin(), options_.corners.end());
   PointLookup passed;
-  for (const SmoothedCurve& curve : smoothed.curves) passed.add_all(curve.curve.points);
+  for (const CurveResult& curve : smoothed.curves) passed.add_all(curve.curve.points);
   for (const SurfacePoint& pin : pins) {
     if (passed.contains(pin)) continue;  // nearly all pins
     const auto passes = [&](const SurfacePoint& p) {
@@ -284,7 +285,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
                                               coordinates_in(surface, p, face)) <=
                                  1e-9 * drawing_->edges_near().front();
     };
-    if (std::any_of(smoothed.curves.begin(), smoothed.curves.end(), [&](const SmoothedCurve& c) {
+    if (std::any_of(smoothed.curves.begin(), smoothed.curves.end(), [&](const CurveResult& c) {
           return std::any_of(c.curve.points.begin(), c.curve.points.end(), passes);
         })) {
       continue;
@@ -304,7 +305,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
 Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Progress& progress) {
   smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
-  for (SmoothedCurve& curve : smoothed.curves) {
+  for (CurveResult& curve : smoothed.curves) {
     curve.curve = strips.mesh.folded(strips.memory->surface(), memory_->surface(), curve.curve);
     curves.push_back(curve.curve);
   }

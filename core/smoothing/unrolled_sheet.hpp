@@ -28,8 +28,8 @@ class UnrolledSheet final : public Sheet {
                 const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
                 const Progress& progress);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
+                      const Progress& progress) override;
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;
   [[nodiscard]] std::span<const double> distance() const override { return lift_.distance(); }
@@ -42,7 +42,7 @@ class UnrolledSheet final : public Sheet {
     UnrolledMesh mesh;
     std::unique_ptr<SmoothingMemory> memory;
     OrderedDrawing drawing;
-    std::unique_ptr<WholeSheet> sheet;
+    std::unique_ptr<MeshDomain> domain;
   };
   void close_rings();
   [[nodiscard]] std::unique_ptr<Strips> laid_strips(const std::vector<SurfaceCurve>& drawn,
@@ -54,17 +54,17 @@ class UnrolledSheet final : public Sheet {
   [[nodiscard]] CurveOptions options_on(const Strips& strips,
                                         std::span<const SurfaceCurve> curves) const;
   [[nodiscard]] SmoothingOptions options_on(const Strips& strips, SmoothingOptions options) const;
-  static Smoothed curves_on(const Strips& strips, const SmoothingOptions& options,
-                            const GivenPotential* given, const Progress& progress);
-  static bool bound_deviation(const Strips& strips, Smoothed& result);
+  static DomainResult curves_on(const Strips& strips, const SmoothingOptions& options,
+                                const GivenPotential* given, const Progress& progress);
+  static bool bound_deviation(const Strips& strips, DomainResult& result);
   [[nodiscard]] static std::vector<double> copies_of(const Strips& strips,
                                                      const GivenPotential& given);
-  [[nodiscard]] static Smoothed opened(const Strips& strips, Smoothed smoothed);
+  [[nodiscard]] static DomainResult opened(const Strips& strips, DomainResult smoothed);
   [[nodiscard]] static PointCopies copies_on(const Strips& strips,
                                              std::span<const SurfaceCurve> curves);
   [[nodiscard]] SmoothingOptions with_length_of_mesh(const SmoothingOptions& options) const;
-  [[nodiscard]] std::vector<std::string> lost_pins(const Smoothed& smoothed) const;
-  Smoothed folded(const Strips& strips, Smoothed smoothed, const Progress& progress);
+  [[nodiscard]] std::vector<std::string> lost_pins(const DomainResult& smoothed) const;
+  DomainResult folded(const Strips& strips, DomainResult smoothed, const Progress& progress);
 
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;

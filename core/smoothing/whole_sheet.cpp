@@ -10,7 +10,7 @@
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
-WholeSheet::WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
+MeshDomain::MeshDomain(SmoothingMemory& memory, const OrderedDrawing& drawing,
                        const CurveOptions& options, EmbeddedDrawing::Ground ground,
                        const Progress& progress)
     : memory_(&memory), drawing_(memory, drawing, options, ground, progress) {
@@ -21,17 +21,17 @@ WholeSheet::WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing,
   }
 }
 
-bool WholeSheet::let_cross(std::size_t crossings, const Progress& progress) {
+bool MeshDomain::let_cross(std::size_t crossings, const Progress& progress) {
   return corridor_ && drawing_.let_legs_cross(crossings, progress);
 }
 
-void WholeSheet::count_crossings(Smoothed& result, const Progress& progress) {
+void MeshDomain::count_crossings(DomainResult& result, const Progress& progress) {
   const OrderedDrawing& drawing = drawing_.drawing();
   Straightening& straightening = memory_->straightening();
   straightening.clear();  // removes embedded legs
   if (crossings_.empty()) crossings_ = straightening.crossings_of(drawing.drawn(), progress);
   std::vector<SurfaceCurve> curves;
-  for (const SmoothedCurve& curve : result.curves) curves.push_back(curve.curve);
+  for (const CurveResult& curve : result.curves) curves.push_back(curve.curve);
   const std::vector<std::size_t> after =
       straightening.crossings_of(drawing.in_drawn_order(curves), progress);
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -40,40 +40,40 @@ void WholeSheet::count_crossings(Smoothed& result, const Progress& progress) {
   }
 }
 
-void WholeSheet::solve(const Progress& progress) {
+void MeshDomain::solve(const Progress& progress) {
   const Stopwatch watch;
   if (corridor_) corridor_->solve(progress);
   if (paper_ && drawing_.options().distance_at_once) paper_->need_distance(progress);
   if (corridor_) solve_ms_ = watch.ms();
 }
 
-void WholeSheet::set_distance(std::vector<double> distance) {
+void MeshDomain::set_distance(std::vector<double> distance) {
   paper_->set_distance(std::move(distance));
 }
 
-void WholeSheet::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
+void MeshDomain::set_pins(std::span<const SurfacePoint> pins, const Progress& progress) {
   drawing_.set_pins({pins.begin(), pins.end()}, progress);
   if (corridor_) corridor_->pins_changed();
 }
 
-std::vector<double> WholeSheet::slack() const {
+std::vector<double> MeshDomain::slack() const {
   std::vector<double> slack;
   if (!corridor_) return slack;
   for (const Corridor::Valley& valley : corridor_->valleys()) slack.push_back(valley.slack);
   return slack;
 }
 
-std::span<const double> WholeSheet::distance() const {
+std::span<const double> MeshDomain::distance() const {
   return paper_ ? paper_->lift().distance() : std::span<const double>{};
 }
 
-void WholeSheet::need_distance(const Progress& progress) {
+void MeshDomain::need_distance(const Progress& progress) {
   if (paper_) paper_->need_distance(progress);
 }
 
-Smoothed WholeSheet::smooth(const SmoothingOptions& options, const GivenPotential* given,
-                            const Progress& progress) {
-  Smoothed result = curves(options, given, progress);
+DomainResult MeshDomain::smooth(const SmoothingOptions& options, const GivenPotential* given,
+                                const Progress& progress) {
+  DomainResult result = curves(options, given, progress);
   measure(options, result, progress);
   return result;
 }
@@ -82,9 +82,9 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
                             const Progress& progress) {
   // A given potential has no effect on crossing legs, which are never straightened together.
   const bool lifted = given != nullptr && !drawing_.may_cross();
-  Smoothed result = lifted      ? smooth_in(drawing_, *given, options, progress)
-                    : corridor_ ? corridor_->smooth(options, progress)
-                                : paper_->smooth(options, progress);
+  DomainResult result = lifted      ? smooth_in(drawing_, *given, options, progress)
+                        : corridor_ ? corridor_->smooth(options, progress)
+                                    : paper_->smooth(options, progress);
   result.time_ms.solve = solve_ms_;
   if (drawing_.may_cross()) count_crossings(result, progress);
   if (corridor_ && !lifted) warn_of_upper_bounds(result);
@@ -101,7 +101,7 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
 void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
   const double exact = memory_->distance().exact_within();
   double slack = 0;
-  for (const SmoothedCurve& curve : result.curves) slack = std::max(slack, curve.slack);
+  for (const CurveResult& curve : result.curves) slack = std::max(slack, curve.slack);
   if (exact >= slack) return;
   result.warnings.push_back(
       fmt::format("Exact distances would take far too long here: farther than {:.4g} from the "
@@ -110,7 +110,7 @@ void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
                   exact));
 }
 
-void WholeSheet::measure(const SmoothingOptions& options, Smoothed& smoothed,
+void MeshDomain::measure(const SmoothingOptions& options, DomainResult& smoothed,
                          const Progress& progress) {
   const bool band_is_there = corridor_ && drawing_.drawing().curves().size() == 1 &&
                              !drawing_.any_legs() && std::isinf(memory_->distance().exact_within());

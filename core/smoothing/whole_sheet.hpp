@@ -16,7 +16,7 @@ namespace talweg {
 class WholeSheet final : public Sheet {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.
-  WholeSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
+  MeshDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
              EmbeddedDrawing::Ground ground, const Progress& progress);
 
   /// EmbeddedDrawing::let_legs_cross(); false for the paper's method.
@@ -43,8 +43,8 @@ class WholeSheet final : public Sheet {
   }
 
  private:
-  void count_crossings(Smoothed& result, const Progress& progress);
-  void warn_of_upper_bounds(Smoothed& result) const;
+  void count_crossings(DomainResult& result, const Progress& progress);
+  void warn_of_upper_bounds(DomainResult& result) const;
 
   SmoothingMemory* memory_;
   EmbeddedDrawing drawing_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
-#include "talweg/intrinsic/exact_distance/window_crowd.hpp"
+#include "talweg/intrinsic/exact_distance/window_index.hpp"
 
 namespace talweg {
 
@@ -43,13 +43,13 @@ class EdgeBounds {
   }
 
   /// The range of a window without the parts at its ends where known distances are shorter by more
-  /// than `same`. Adds the cost of the search to `looked_at`.
+  /// than `same`. Adds the cost of the search to `visited`.
   [[nodiscard]] EdgeRange not_longer(const EdgeWindow& window, double same,
-                                     std::size_t& looked_at) const {
+                                     std::size_t& visited) const {
     Asked asked{&window, same};
     const std::size_t first = find(asked, 1, 0, parts_, false);
     const std::size_t last = first == parts_ ? first : find(asked, 1, 0, parts_, true);
-    looked_at += asked.looked_at;
+    visited += asked.visited;
     if (first == parts_) return {};
     return {std::max(window.begin, place(first)), std::min(window.end, place(last + 1))};
   }
@@ -58,7 +58,7 @@ class EdgeBounds {
   struct Asked {
     const EdgeWindow* window;
     double same;
-    std::size_t looked_at = 0;
+    std::size_t visited = 0;
   };
 
   [[nodiscard]] double place(std::size_t i) const {
@@ -84,8 +84,8 @@ class EdgeBounds {
   /// parts() for none.
   [[nodiscard]] std::size_t find(Asked& asked, std::size_t node, std::size_t first,
                                  std::size_t count, bool last) const {
-    constexpr std::size_t kLooks = 4;  // a square root and a cache miss
-    asked.looked_at += kLooks;
+    constexpr std::size_t kVisits = 4;  // a square root and a cache miss
+    asked.visited += kVisits;
     const double from = std::max(asked.window->begin, place(first));
     const double to = std::min(asked.window->end, place(first + count));
     if (to < from) return parts_;

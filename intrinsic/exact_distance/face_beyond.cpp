@@ -23,7 +23,7 @@ EdgeWindow seen_from(const EdgeWindow& w, PlanePoint o, PlanePoint u) {
     seen.px = w.px * u.x + w.py * u.y;
     seen.py = std::max(u.x * w.py - u.y * w.px, 0.0);
     seen.offset = w.offset + w.px * o.x + w.py * o.y;
-    seen.arc = w.arc + w.sense * (w.py * o.x - w.px * o.y);
+    seen.arc = w.arc + w.arc_sign * (w.py * o.x - w.px * o.y);
   }
   return seen;
 }

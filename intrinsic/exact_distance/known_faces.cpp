@@ -10,7 +10,7 @@ KnownFaces::KnownFaces(const Surface& surface)
 void KnownFaces::clear() {
   for (const Copy& copy : copies_) copy_of_[copy.face.index()] = kNone;
   copies_.clear();
-  led_in_.clear();
+  entering_.clear();
 }
 
 void KnownFaces::copy(FaceId face, const WindowFront& front, const PolylinePieces& pieces) {
@@ -21,13 +21,13 @@ void KnownFaces::copy(FaceId face, const WindowFront& front, const PolylinePiece
   }
   Copy& copy = copies_[id];
   copy.front = front.distance();
-  copy.ways.segments = pieces.segments_in(face);
+  copy.paths.segments = pieces.segments_in(face);
   into_one_face_.clear();
   HalfedgeId h = surface_->halfedge(face);
   for (std::uint32_t k = 0; k < 3; ++k, h = surface_->next(h)) {
-    copy.ways.frames[k] = side_frame(*surface_, face, k);
-    copy.ways.corners[k] = front.vertices()[surface_->tail(h)];
-    copy.ways.longest = std::max(copy.ways.longest, copy.ways.frames[k].length);
+    copy.paths.frames[k] = side_frame(*surface_, face, k);
+    copy.paths.corners[k] = front.vertices()[surface_->tail(h)];
+    copy.paths.longest = std::max(copy.paths.longest, copy.paths.frames[k].length);
     const EdgeId edge = edge_of(h);
     front.windows().each(edge, [&](const EdgeWindow& w) {
       if (w.into == h) into_one_face_.push_back({w, w.lowest(), k, h == halfedge_of(edge)});
@@ -42,10 +42,10 @@ void KnownFaces::store_windows(Copy& copy) {
   copy.count = static_cast<std::uint32_t>(into_one_face_.size());
   if (copy.count > copy.room) {
     copy.room = copy.room == 0 ? copy.count : 2 * copy.count;
-    copy.first = static_cast<std::uint32_t>(led_in_.size());
-    led_in_.resize(led_in_.size() + copy.room);
+    copy.first = static_cast<std::uint32_t>(entering_.size());
+    entering_.resize(entering_.size() + copy.room);
   }
-  std::copy(into_one_face_.begin(), into_one_face_.end(), led_in_.begin() + copy.first);
+  std::copy(into_one_face_.begin(), into_one_face_.end(), entering_.begin() + copy.first);
 }
 
 }  // namespace talweg

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
 #include "talweg/intrinsic/exact_distance/window_front.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
 
@@ -23,14 +23,14 @@ class KnownFaces {
   void clear();
 
   struct Known {
-    WaysIntoFace ways;
+    FacePaths paths;
     double front = 0;  ///< the front's distance when the face was copied
   };
   [[nodiscard]] bool contain(FaceId face) const { return copy_of_[face.index()] != kNone; }
   /// The last copy of the face, which must exist. Valid until any face is copied.
   const Known& at(FaceId face) {
     Copy& copy = copies_[copy_of_[face.index()]];
-    copy.ways.windows = {led_in_.data() + copy.first, copy.count};
+    copy.paths.windows = {entering_.data() + copy.first, copy.count};
     return copy;
   }
   /// Copies the front's current data about the face.
@@ -40,14 +40,14 @@ class KnownFaces {
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
   struct Copy : Known {
     FaceId face;
-    std::uint32_t first = 0, count = 0, room = 0;  // in led_in_
+    std::uint32_t first = 0, count = 0, room = 0;  // in entering_
   };
   void store_windows(Copy& copy);
 
   const Surface* surface_;
   std::vector<std::uint32_t> copy_of_;  // per face, in copies_
   std::vector<Copy> copies_;
-  std::vector<LedIn> led_in_, into_one_face_;
+  std::vector<EnteringWindow> entering_, into_one_face_;
 };
 
 }  // namespace talweg

@@ -56,15 +56,15 @@ class March {
     }
   }
 
-  void run(Asker& asker) {
+  void run(ProgressPoller& poller) {
     std::size_t count = 0;
     while (!front_.empty()) {
       const auto [value, v] = front_.top();
       front_.pop();
       if (passed_[v] || value > distance_[v]) continue;
       passed_[v] = true;
-      asker.is_at(static_cast<double>(++count) / static_cast<double>(distance_.size()));
-      asker.did(1);
+      poller.set_fraction(static_cast<double>(++count) / static_cast<double>(distance_.size()));
+      poller.add_work(1);
       go_on_from(VertexId{v});
     }
   }
@@ -119,11 +119,11 @@ class March {
 
 }  // namespace
 
-void march_distance(const Surface& surface, std::vector<double>& distance, Asker& asker) {
+void march_distance(const Surface& surface, std::vector<double>& distance, ProgressPoller& poller) {
   if (distance.size() != surface.vertex_count()) {
     throw std::invalid_argument("march_distance: one distance for each vertex is needed");
   }
-  March(surface, distance).run(asker);
+  March(surface, distance).run(poller);
 }
 
 }  // namespace talweg

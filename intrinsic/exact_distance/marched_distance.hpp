@@ -17,7 +17,7 @@ namespace talweg {
 /// point in a plane are exact; other distances are a few per cent too long or too short, depending
 /// on how much the front bends within a face. No distance is longer than the shortest path along
 /// edges. O(n log n) for n vertices. Throws std::invalid_argument when the number of distances is
-/// not the number of vertices, and Cancelled when the asker does.
-void march_distance(const Surface& surface, std::vector<double>& distance, Asker& asker);
+/// not the number of vertices, and Cancelled when the poller does.
+void march_distance(const Surface& surface, std::vector<double>& distance, ProgressPoller& poller);
 
 }  // namespace talweg

@@ -24,13 +24,13 @@ PolylineDistance::PolylineDistance(const Surface& surface)
       front_(surface),
       components_(surface),
       faces_(surface),
-      edge_ways_(surface) {}
+      edge_path_distances_(surface) {}
 
 void PolylineDistance::forget(double step, const WindowFront::Room& room) {
   front_.reset(step, room);
   components_.clear();
   faces_.clear();
-  edge_ways_.clear();
+  edge_path_distances_.clear();
 }
 
 void PolylineDistance::set_with_few_windows(std::span<const SurfaceCurve> curves) {
@@ -70,11 +70,11 @@ Nearest PolylineDistance::at_vertex(VertexId v) {
   return finish(known);
 }
 
-Nearest PolylineDistance::at_vertex_roughly(VertexId v, double exact) {
+Nearest PolylineDistance::at_vertex_bounded(VertexId v, double exact) {
   const Nearest& known = front_.vertices()[v];
   while (!is_final_at(v, std::min(known.distance, exact))) front_.march();
   if (known.distance <= exact || components_.keep_out(front_, v)) return finish(known);
-  return finish(edge_ways_.shortest(v, exact, front_.vertices(), front_.work()));
+  return finish(edge_path_distances_.shortest(v, exact, front_.vertices(), front_.work()));
 }
 
 Nearest PolylineDistance::on_edge(EdgeId edge, double t) {
@@ -91,19 +91,19 @@ Nearest PolylineDistance::at(const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return at_vertex(v->vertex);
   if (const auto* e = std::get_if<OnEdge>(&point.where())) return on_edge(e->edge, e->t);
   const auto& inside = std::get<InFace>(point.where());
-  WaysIntoFace::Hit hit;
-  final_ways(inside.face, inside.barycentric, hit);
+  FacePaths::Hit hit;
+  final_paths(inside.face, inside.barycentric, hit);
   return finish(hit.nearest);
 }
 
 PolylineDistance::FaceValue PolylineDistance::at_face(FaceId face, const Barycentric& b,
                                                       PlanePoint direction) {
-  WaysIntoFace::Hit hit;
-  const WaysIntoFace& ways = final_ways(face, b, hit);
+  FacePaths::Hit hit;
+  const FacePaths& paths = final_paths(face, b, hit);
   const Nearest nearest = finish(hit.nearest);
   FaceValue result{nearest.distance, 0, nearest.curve, nearest.arc_length, 0};
   if (std::isinf(nearest.distance)) return result;
-  const WaysIntoFace::Slopes slopes = ways.slopes(hit, b, direction);
+  const FacePaths::Slopes slopes = paths.slopes(hit, b, direction);
   result.slope = slopes.distance;
   result.arc_slope = slopes.arc_length;
   return result;
@@ -139,25 +139,25 @@ std::vector<Stretch> PolylineDistance::within(EdgeId edge, double limit) {
   return joined_stretches(std::move(parts), kGap * length);
 }
 
-const WaysIntoFace& PolylineDistance::ways_into(FaceId face, double limit) {
+const FacePaths& PolylineDistance::paths_into(FaceId face, double limit) {
   reach(limit);
   if (!faces_.contain(face) || !front_.is_behind(limit, faces_.at(face).front)) {
     faces_.copy(face, front_, pieces_);
   }
-  return faces_.at(face).ways;
+  return faces_.at(face).paths;
 }
 
 /// The ways into a face, final as far as the answer at b needs them; sets `hit` to this answer.
-const WaysIntoFace& PolylineDistance::final_ways(FaceId face, const Barycentric& b,
-                                                 WaysIntoFace::Hit& hit) {
+const FacePaths& PolylineDistance::final_paths(FaceId face, const Barycentric& b,
+                                               FacePaths::Hit& hit) {
   if (!faces_.contain(face)) faces_.copy(face, front_, pieces_);
   for (;;) {
     const KnownFaces::Known& known = faces_.at(face);
-    hit = known.ways.hit(b);
-    if (front_.is_behind(hit.nearest.distance, known.front)) return known.ways;
+    hit = known.paths.hit(b);
+    if (front_.is_behind(hit.nearest.distance, known.front)) return known.paths;
     if (known.front == front_.distance()) {
       const VertexId corner = surface_->tail(surface_->halfedge(face));
-      if (front_.is_done() || components_.keep_out(front_, corner)) return known.ways;
+      if (front_.is_done() || components_.keep_out(front_, corner)) return known.paths;
       front_.march();
     }
     faces_.copy(face, front_, pieces_);
@@ -185,7 +185,7 @@ double PolylineDistance::known_at(const SurfacePoint& point) {
   if (!faces_.contain(face) || faces_.at(face).front != front_.distance()) {
     faces_.copy(face, front_, pieces_);
   }
-  return faces_.at(face).ways.hit(b).nearest.distance;
+  return faces_.at(face).paths.hit(b).nearest.distance;
 }
 
 }  // namespace talweg

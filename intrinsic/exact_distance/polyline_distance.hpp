@@ -10,11 +10,11 @@
 
 #include "talweg/intrinsic/exact_distance/convex_stretch.hpp"
 #include "talweg/intrinsic/exact_distance/curve_components.hpp"
-#include "talweg/intrinsic/exact_distance/edge_ways.hpp"
+#include "talweg/intrinsic/exact_distance/edge_path_distances.hpp"
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 #include "talweg/intrinsic/exact_distance/known_faces.hpp"
 #include "talweg/intrinsic/exact_distance/nearest_on_curve.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
 #include "talweg/intrinsic/exact_distance/window_front.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
@@ -44,17 +44,17 @@ class PolylineDistance {
   /// is reached, distances farther out are only upper bounds: see exact_within().
   void set_with_few_windows(std::span<const SurfaceCurve> curves);
 
-  /// Sets the asker that is called while windows spread; null for none. With an asker, set() and
+  /// Sets the poller that is called while windows spread; null for none. With a poller, set() and
   /// every query may throw Cancelled. Then set() leaves no curves set, and an interrupted query
-  /// leaves the object as if the query had not been made. See AskedDuring.
-  void ask(Asker* asker) { front_.work().ask(asker); }
+  /// leaves the object as if the query had not been made. See ScopedPoller.
+  void set_poller(ProgressPoller* poller) { front_.work().set_poller(poller); }
 
   using Nearest = NearestOnCurve;
   Nearest at_vertex(VertexId v);
   /// Like at_vertex() where the distance is at most `exact` (mesh units, >= 0). Farther out the
   /// result follows the shortest path along edges to a vertex within `exact`: an upper bound that
   /// needs no exact distances beyond `exact`.
-  Nearest at_vertex_roughly(VertexId v, double exact);
+  Nearest at_vertex_bounded(VertexId v, double exact);
   Nearest at(const SurfacePoint& point);
   /// t in [0, 1] from the tail to the head of halfedge_of(edge).
   Nearest on_edge(EdgeId edge, double t);
@@ -82,7 +82,7 @@ class PolylineDistance {
   std::vector<Stretch> within(EdgeId edge, double limit);
   /// The ways into a face, final for distances up to `limit`; larger distances are upper bounds.
   /// Valid until the next call of any member function.
-  const WaysIntoFace& ways_into(FaceId face, double limit);
+  const FacePaths& paths_into(FaceId face, double limit);
 
   /// Computes all distances below `distance`; queries do this by themselves.
   void reach(double distance) {
@@ -111,25 +111,25 @@ class PolylineDistance {
   [[nodiscard]] bool is_final_at(VertexId beside, double distance);
   [[nodiscard]] VertexId vertex_beside(const SurfacePoint& point) const;
   double known_at(const SurfacePoint& point);
-  const WaysIntoFace& final_ways(FaceId face, const Barycentric& b, WaysIntoFace::Hit& hit);
+  const FacePaths& final_paths(FaceId face, const Barycentric& b, FacePaths::Hit& hit);
 
   const Surface* surface_;
   PolylinePieces pieces_;
   WindowFront front_;
   CurveComponents components_;
   KnownFaces faces_;
-  EdgeWays edge_ways_;
+  EdgePathDistances edge_path_distances_;
 };
 
-/// Sets a distance's asker during a scope.
-class AskedDuring {
+/// Sets a distance's poller during a scope.
+class ScopedPoller {
  public:
-  AskedDuring(PolylineDistance& distance, Asker& asker) : distance_(distance) {
-    distance_.ask(&asker);
+  ScopedPoller(PolylineDistance& distance, ProgressPoller& poller) : distance_(distance) {
+    distance_.set_poller(&poller);
   }
-  ~AskedDuring() { distance_.ask(nullptr); }
-  AskedDuring(const AskedDuring&) = delete;
-  AskedDuring& operator=(const AskedDuring&) = delete;
+  ~ScopedPoller() { distance_.set_poller(nullptr); }
+  ScopedPoller(const ScopedPoller&) = delete;
+  ScopedPoller& operator=(const ScopedPoller&) = delete;
 
  private:
   PolylineDistance& distance_;

@@ -40,7 +40,7 @@ std::optional<EdgeWindow> window_of_segment(const PolylinePiece& segment, const 
   // The direction out of the face, which is downwards.
   window.px = tx > 0 ? ty : -ty;
   window.py = -std::abs(tx);
-  window.sense = tx > 0 ? -1 : 1;
+  window.arc_sign = tx > 0 ? -1 : 1;
   window.offset = -(window.px * p.x + window.py * p.y);
   window.arc = segment.arc - (tx * p.x + ty * p.y);
   window.curve = segment.curve;
@@ -52,7 +52,7 @@ void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFro
   // Segments go first, because they hide most of the windows that points would send.
   constexpr std::size_t kOfPiece = 8;  // units of work
   for (const PolylinePiece& segment : pieces.segments) {
-    front.work().tell();
+    front.work().report();
     front.work().add(kOfPiece);
     for (std::size_t k = 0; k < 3; ++k) {
       const SideFrame frame = side_frame(surface, segment.face, k);
@@ -60,7 +60,7 @@ void send_pieces(const Surface& surface, const PolylinePieces& pieces, WindowFro
     }
   }
   for (const PolylinePiece& point : pieces.points) {
-    front.work().tell();
+    front.work().report();
     front.work().add(kOfPiece);
     if (point.vertex.valid()) {
       front.start_at(point.vertex, {0, point.curve, point.arc});

@@ -39,7 +39,7 @@ double EdgeWindow::value_beyond(double x, double y, double& arc_length) const {
     arc_length = arc_at(bend);
     return value(bend) + std::sqrt((x - bend) * (x - bend) + rise * rise);
   }
-  arc_length = from_point() ? arc : arc + sense * (py * x - px * y);
+  arc_length = from_point() ? arc : arc + arc_sign * (py * x - px * y);
   if (!from_point()) return offset + px * x + py * y;
   const double across = x - px, along = rise + std::abs(py);
   return offset + std::sqrt(across * across + along * along);

@@ -27,15 +27,17 @@ struct EdgeWindow {
   double arc = 0;     ///< arc length at the source; for a segment at (0, 0), extrapolated
   HalfedgeId into;    ///< the paths continue into the face of this halfedge
   std::uint32_t curve = 0;
-  std::int32_t sense = 0;  ///< 0: point; +-1: segment whose arc length grows along +-(py, -px)
-  std::uint32_t next = 0;  ///< the next window in the list of the edge
+  std::int32_t arc_sign = 0;  ///< 0: point; +-1: segment whose arc length grows along +-(py, -px)
+  std::uint32_t next = 0;     ///< the next window in the list of the edge
 
-  [[nodiscard]] bool from_point() const { return sense == 0; }
+  [[nodiscard]] bool from_point() const { return arc_sign == 0; }
   /// The distance at x on the edge, also where x is outside the window.
   [[nodiscard]] double value(double x) const {
     return from_point() ? offset + std::sqrt((x - px) * (x - px) + py * py) : offset + px * x;
   }
-  [[nodiscard]] double arc_at(double x) const { return from_point() ? arc : arc + sense * py * x; }
+  [[nodiscard]] double arc_at(double x) const {
+    return from_point() ? arc : arc + arc_sign * py * x;
+  }
   [[nodiscard]] bool is_empty() const { return end < begin; }
   /// Removes the part in [from, to], except for an overlap of `overlap`, if this part reaches
   /// within `narrow` of an end of the window.

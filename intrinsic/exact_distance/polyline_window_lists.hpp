@@ -9,14 +9,14 @@
 
 #include "talweg/intrinsic/exact_distance/edge_bounds.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_window.hpp"
-#include "talweg/intrinsic/exact_distance/window_crowd.hpp"
+#include "talweg/intrinsic/exact_distance/window_index.hpp"
 #include "talweg/intrinsic/exact_distance/window_store.hpp"
 #include "talweg/intrinsic/surface/ids.hpp"
 
 namespace talweg {
 
 /// Nearly every edge has only a few windows, which form a list through EdgeWindow::next. The long
-/// sides of needles can have thousands, of which a new window meets two or three. A crowd finds
+/// sides of needles can have thousands, of which a new window meets two or three. An index finds
 /// these few, and bounds exclude the parts where a new window is not shorter.
 class WindowLists {
  public:
@@ -28,7 +28,7 @@ class WindowLists {
   void clear() {
     for (const EdgeId e : touched_) first_[e.index()] = kUntouched;
     touched_.clear();
-    crowds_.clear();
+    indices_.clear();
     windows_.clear();
   }
 
@@ -42,11 +42,11 @@ class WindowLists {
   Id add(EdgeId edge, const EdgeWindow& window) {
     const Id id = windows_.add(window);
     Id& first = first_[edge.index()];
-    if (is_crowd(first)) {
-      Crowd& crowd = crowds_[first & ~kCrowd];
-      crowd.extents.add({window.begin, window.end}, id);
-      if (crowd.bounds) crowd.bounds->add(window);
-      looked_at_ += kLooksOfAdding;
+    if (is_indexed(first)) {
+      EdgeIndex& index = indices_[first & ~kIndexed];
+      index.extents.add({window.begin, window.end}, id);
+      if (index.bounds) index.bounds->add(window);
+      visited_ += kVisitsOfAdding;
       return id;
     }
     if (first == kUntouched) {
@@ -61,8 +61,8 @@ class WindowLists {
   template <class Use>
   void each(EdgeId edge, Use use) const {
     const Id first = first_[edge.index()];
-    if (is_crowd(first)) {
-      crowds_[first & ~kCrowd].extents.each([&](Id id) { use(windows_[id]); });
+    if (is_indexed(first)) {
+      indices_[first & ~kIndexed].extents.each([&](Id id) { use(windows_[id]); });
     } else {
       for (Id i = first; !is_end(i); i = windows_[i].next) use(windows_[i]);
     }
@@ -73,33 +73,33 @@ class WindowLists {
   EdgeRange not_longer(EdgeId edge, const EdgeWindow& window, double length, double same) {
     const Id first = first_[edge.index()];
     constexpr double kShort = 1e-290;  // so short edges cannot be divided into parts
-    if (!is_crowd(first) || length < kShort) return {window.begin, window.end};
-    Crowd& crowd = crowds_[first & ~kCrowd];
-    if (!crowd.bounds || crowd.bounds->parts() < crowd.extents.size()) bound(crowd, length);
-    return crowd.bounds->not_longer(window, same, looked_at_);
+    if (!is_indexed(first) || length < kShort) return {window.begin, window.end};
+    EdgeIndex& index = indices_[first & ~kIndexed];
+    if (!index.bounds || index.bounds->parts() < index.extents.size()) bound(index, length);
+    return index.bounds->not_longer(window, same, visited_);
   }
   /// Calls use(EdgeWindow&) for the windows that meet a range. `use` returns the range to continue
   /// with, and may cut the window; an empty window is removed.
   template <class Use>
   void each_meeting(EdgeRange range, EdgeId edge, Use use) {
     Id& first = first_[edge.index()];
-    if (is_crowd(first)) {
-      looked_at_ +=
-          crowds_[first & ~kCrowd].extents.each_meeting(range, [&](Id id, EdgeRange& extent) {
+    if (is_indexed(first)) {
+      visited_ +=
+          indices_[first & ~kIndexed].extents.each_meeting(range, [&](Id id, EdgeRange& extent) {
             const EdgeRange rest = use(windows_[id]);
             extent = {windows_[id].begin, windows_[id].end};
             return rest;
           });
     } else if (each_in(&first, range, use) > kMany) {
-      make_crowd(edge);
+      make_index(edge);
     }
   }
 
-  /// The cost of searches in crowds since the last call, in units of work.
+  /// The cost of searches in indices since the last call, in units of work.
   std::size_t take_work() {
     constexpr std::size_t kOfUnit = 32;  // visited extents
-    const std::size_t units = looked_at_ / kOfUnit;
-    looked_at_ %= kOfUnit;
+    const std::size_t units = visited_ / kOfUnit;
+    visited_ %= kOfUnit;
     return units;
   }
 
@@ -109,16 +109,16 @@ class WindowLists {
 
  private:
   static constexpr Id kNone = 0xFFFFFFFFU, kUntouched = kNone - 1;
-  static constexpr Id kCrowd = 0x80000000U;  // the other bits are the index of the crowd
+  static constexpr Id kIndexed = 0x80000000U;  // the other bits are a place in indices_
   static constexpr std::size_t kMany = 32;
-  static constexpr std::size_t kLooksOfAdding = 128;  // to a crowd: cache misses
-  struct Crowd {
-    WindowCrowd extents;
+  static constexpr std::size_t kVisitsOfAdding = 128;  // to an index: cache misses
+  struct EdgeIndex {
+    WindowIndex extents;
     std::optional<EdgeBounds> bounds;
   };
 
   static bool is_end(Id id) { return id >= kUntouched; }
-  static bool is_crowd(Id first) { return !is_end(first) && (first & kCrowd) != 0; }
+  static bool is_indexed(Id first) { return !is_end(first) && (first & kIndexed) != 0; }
 
   /// Returns the number of windows visited.
   template <class Use>
@@ -136,30 +136,30 @@ class WindowLists {
     return count;
   }
 
-  void make_crowd(EdgeId edge) {
-    Crowd crowd;
+  void make_index(EdgeId edge) {
+    EdgeIndex index;
     for (Id i = first_[edge.index()]; !is_end(i); i = windows_[i].next) {
-      crowd.extents.add({windows_[i].begin, windows_[i].end}, i);
+      index.extents.add({windows_[i].begin, windows_[i].end}, i);
     }
-    crowds_.push_back(std::move(crowd));
-    first_[edge.index()] = kCrowd | static_cast<Id>(crowds_.size() - 1);
+    indices_.push_back(std::move(index));
+    first_[edge.index()] = kIndexed | static_cast<Id>(indices_.size() - 1);
   }
 
   /// Makes bounds with two to four parts per window. The bounds are rebuilt once there are more
   /// windows than parts.
-  void bound(Crowd& crowd, double length) {
+  void bound(EdgeIndex& index, double length) {
     std::size_t parts = 1;
-    while (parts < 2 * crowd.extents.size()) parts *= 2;
-    crowd.bounds.emplace(length, parts);
-    crowd.extents.each([&](Id id) { crowd.bounds->add(windows_[id]); });
-    looked_at_ += crowd.extents.size();
+    while (parts < 2 * index.extents.size()) parts *= 2;
+    index.bounds.emplace(length, parts);
+    index.extents.each([&](Id id) { index.bounds->add(windows_[id]); });
+    visited_ += index.extents.size();
   }
 
   std::vector<Id> first_;  // per edge
-  std::vector<Crowd> crowds_;
+  std::vector<EdgeIndex> indices_;
   WindowStore windows_;
   std::vector<EdgeId> touched_;
-  std::size_t looked_at_ = 0;
+  std::size_t visited_ = 0;
 };
 
 }  // namespace talweg

@@ -72,7 +72,7 @@ void WindowFront::fetch_ahead() const {
 void WindowFront::march() {
   constexpr std::size_t kOfItem = 4;  // units of work
   StepQueue::Item item{};
-  for (work_.tell(); queue_.pop(item); work_.tell()) {
+  for (work_.report(); queue_.pop(item); work_.report()) {
     work_.add(kOfItem + windows_.take_work());
     fetch_ahead();
     if (item.kind == kVertexItem) {

@@ -42,7 +42,7 @@ class WindowFront {
   void start_at(VertexId v, const NearestOnCurve& from);
 
   /// Processes all windows and vertices of one step. Throws Cancelled, between two of them, if
-  /// the asker of work() does; the next march() continues there.
+  /// the poller of work() does; the next march() continues there.
   void march();
 
   /// A lower bound of the distances still to come; infinite when the front is done.

@@ -44,13 +44,13 @@ bool FlatFlips::is_delaunay(HalfedgeId h) const {
   return angles <= std::numbers::pi + kRounding;
 }
 
-void FlatFlips::turn(HalfedgeId h) {
+void FlatFlips::flip(HalfedgeId h) {
   SignpostTriangulation& t = *triangulation_;
   const FaceId face = t.surface_face(h);
   const FaceCoordinates a{face, weights_in(t, t.tail(t.prev(h)), face)};
   const FaceCoordinates b{face, weights_in(t, t.tail(t.prev(twin(h))), face)};
   before_(h);
-  t.turn_inside(edge_of(h), distance_in_face(t.surface(), a, b));
+  t.flip_unlogged(edge_of(h), distance_in_face(t.surface(), a, b));
 }
 
 void FlatFlips::improve(std::vector<HalfedgeId> edges) {
@@ -61,42 +61,42 @@ void FlatFlips::improve(std::vector<HalfedgeId> edges) {
     edges.pop_back();
     if (!is_inside(h) || is_fixed(edge_of(h)) || is_delaunay(h) || !is_convex(h)) continue;
     edges.insert(edges.end(), {t.next(h), t.prev(h), t.next(twin(h)), t.prev(twin(h))});
-    turn(h);
+    flip(h);
   }
 }
 
-FlatFlips::Way FlatFlips::way(HalfedgeId h, VertexId to, FaceId face) const {
+FlatFlips::Segment FlatFlips::segment(HalfedgeId h, VertexId to, FaceId face) const {
   const SignpostTriangulation& t = *triangulation_;
   const Weights p = weights_in(t, t.tail(h), face), q = weights_in(t, to, face);
-  Way way;
+  Segment segment;
   // The limit on crossed edges guards against rounding among slivers.
-  for (HalfedgeId e = t.next(h); is_inside(e) && way.crossed.size() < t.edge_count();) {
+  for (HalfedgeId e = t.next(h); is_inside(e) && segment.crossed.size() < t.edge_count();) {
     const Weights b = weights_in(t, t.tail(e), face), c = weights_in(t, t.head(e), face);
     if (is_fixed(edge_of(e))) {
       const double right_of = orient(p, b, q), left_of = orient(p, q, c);
-      way.stop = e;
-      way.part = right_of / (right_of + left_of);
+      segment.stop = e;
+      segment.part = right_of / (right_of + left_of);
       break;
     }
-    way.crossed.push_back(e);
+    segment.crossed.push_back(e);
     const HalfedgeId back = twin(e);
     const VertexId beyond = t.tail(t.prev(back));
     const Weights o = weights_in(t, beyond, face);
     const double left = orient(p, q, o);
     if (beyond == to || std::abs(left) <= kOnSide * std::abs(orient(p, b, o) - orient(p, c, o))) {
-      way.end = beyond;
+      segment.end = beyond;
       break;
     }
     e = left > 0 ? t.next(back) : t.prev(back);
   }
-  return way;
+  return segment;
 }
 
-HalfedgeId FlatFlips::clear(const Way& way, VertexId from, VertexId to, FaceId face) {
+HalfedgeId FlatFlips::clear(const Segment& segment, VertexId from, VertexId to, FaceId face) {
   const SignpostTriangulation& t = *triangulation_;
   const Weights p = weights_in(t, from, face), q = weights_in(t, to, face);
   const auto left_of = [&](VertexId v) { return orient(p, q, weights_in(t, v, face)) > 0; };
-  std::deque<HalfedgeId> crossed(way.crossed.begin(), way.crossed.end());
+  std::deque<HalfedgeId> crossed(segment.crossed.begin(), segment.crossed.end());
   std::vector<HalfedgeId> turned;
   // Sloan's bound on the number of flips; rounding among slivers might repeat flips without end.
   std::size_t left = (crossed.size() + 2) * (crossed.size() + 2);
@@ -110,7 +110,7 @@ HalfedgeId FlatFlips::clear(const Way& way, VertexId from, VertexId to, FaceId f
       continue;
     }
     stuck = 0;
-    turn(h);
+    flip(h);
     const VertexId a = t.tail(h), b = t.head(h);
     const bool at_end = a == from || b == from || a == to || b == to;
     if (!at_end && left_of(a) != left_of(b)) {

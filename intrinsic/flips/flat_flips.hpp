@@ -48,24 +48,24 @@ class FlatFlips {
   void improve(std::vector<HalfedgeId> edges);
 
   /// The edges that the straight segment to a vertex crosses.
-  struct Way {
+  struct Segment {
     std::vector<HalfedgeId> crossed;  ///< from right to left
     VertexId end;                     ///< the first vertex on the segment, if any
     HalfedgeId stop;                  ///< else the fixed edge where the segment stops
     double part = 0;                  ///< the crossing on `stop`, a fraction of its length
   };
   /// The segment from the tail of h to `to`, which starts in the face of h.
-  [[nodiscard]] Way way(HalfedgeId h, VertexId to, FaceId face) const;
+  [[nodiscard]] Segment segment(HalfedgeId h, VertexId to, FaceId face) const;
   /// Flips the crossed edges out of the segment's way, then improves them. Returns the edge between
   /// the two vertices; invalid if rounding prevents it. O(crossed) flips as a rule, at most the
   /// square (Sloan 1993).
-  HalfedgeId clear(const Way& way, VertexId from, VertexId to, FaceId face);
+  HalfedgeId clear(const Segment& segment, VertexId from, VertexId to, FaceId face);
 
  private:
   using Weights = std::array<double, 3>;
   [[nodiscard]] bool is_convex(HalfedgeId h) const;
   [[nodiscard]] bool is_delaunay(HalfedgeId h) const;
-  void turn(HalfedgeId h);
+  void flip(HalfedgeId h);
 
   SignpostTriangulation* triangulation_;
   std::function<void(HalfedgeId)> before_;

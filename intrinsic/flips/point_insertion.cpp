@@ -107,10 +107,10 @@ void PointInsertion::improve_around(VertexId v) {
     if (t.has_face(h)) {
       const FaceId face = t.surface_face(h);
       const std::vector<HalfedgeId>& list = pieces(face);
-      if (list.size() > kCrowd && crowded_.insert(face).second) {
+      if (list.size() > kMostUnflippedPieces && crowded_.insert(face).second) {
         for (const HalfedgeId side : list)
           edges.insert(edges.end(), {side, t.next(side), t.prev(side)});
-      } else if (list.size() > kCrowd) {
+      } else if (list.size() > kMostUnflippedPieces) {
         edges.insert(edges.end(), {h, t.next(h)});
       }
     }
@@ -121,7 +121,7 @@ void PointInsertion::improve_around(VertexId v) {
 }
 
 /// Registers both pieces under the edge that will be flipped, so they keep their slots in the list.
-void PointInsertion::before_turn(HalfedgeId h) {
+void PointInsertion::before_flip(HalfedgeId h) {
   const FaceId face = triangulation_->surface_face(h);
   for (const HalfedgeId side : {h, twin(h)}) replace_pieces(face, side, std::span(&side, 1));
 }
@@ -217,7 +217,7 @@ VertexId PointInsertion::insert_on_edge(const SurfacePoint& point) {
     if (const auto* e = std::get_if<OnEdge>(&where.where())) return e->t;
     return std::get<AtVertex>(where.where()).vertex == begin ? 0.0 : 1.0;
   };
-  const std::vector<HalfedgeId> chain = now(std::span(&whole, 1), 0);
+  const std::vector<HalfedgeId> chain = with_splits(std::span(&whole, 1), 0);
   const auto piece = std::find_if(chain.begin(), chain.end() - 1, [&](HalfedgeId h) {
     return at.t <= parameter(triangulation_->head(h));
   });
@@ -278,13 +278,13 @@ VertexId PointInsertion::insert_on_side(HalfedgeId side, double t, const Surface
 /// The straight edge from the tail of h towards `to`, made by flips: to the next vertex on the
 /// segment, or to its crossing with another segment. The segment starts in the piece of h. Invalid
 /// if the segment crosses no edge or rounding prevents the flips.
-HalfedgeId PointInsertion::flip_way(HalfedgeId h, VertexId to, FaceId face) {
+HalfedgeId PointInsertion::clear_segment(HalfedgeId h, VertexId to, FaceId face) {
   const VertexId from = triangulation_->tail(h);
-  const FlatFlips::Way way = flips_.way(h, to, face);
-  if (way.crossed.empty()) return {};
-  VertexId end = way.end;
-  if (!end.valid() && way.stop.valid()) end = insert_on_side(way.stop, way.part);
-  return end.valid() ? flips_.clear(way, from, end, face) : HalfedgeId{};
+  const FlatFlips::Segment segment = flips_.segment(h, to, face);
+  if (segment.crossed.empty()) return {};
+  VertexId end = segment.end;
+  if (!end.valid() && segment.stop.valid()) end = insert_on_side(segment.stop, segment.part);
+  return end.valid() ? flips_.clear(segment, from, end, face) : HalfedgeId{};
 }
 
 /// The halfedge from `from` towards `to` inside the face; inserts its end if necessary.
@@ -308,8 +308,8 @@ HalfedgeId PointInsertion::step(VertexId from, VertexId to, FaceId face, bool ma
         if (right_of <= kOnSide * (right_of + left_of)) return h;
         if (left_of <= kOnSide * (right_of + left_of)) return twin(t.prev(h));
         if (may_flip && crowded_.contains(face)) {
-          const HalfedgeId way = flip_way(h, to, face);
-          return way.valid() ? way : step(from, to, face, false);
+          const HalfedgeId edge = clear_segment(h, to, face);
+          return edge.valid() ? edge : step(from, to, face, false);
         }
         return t.find_halfedge(from, insert_on_side(t.next(h), right_of / (right_of + left_of)));
       }
@@ -391,25 +391,25 @@ void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
   std::reverse(path.begin() + first, path.end());
 }
 
-void PointInsertion::append_now(HalfedgeId h, std::size_t since,
-                                std::vector<HalfedgeId>& path) const {
+void PointInsertion::append_with_splits(HalfedgeId h, std::size_t since,
+                                        std::vector<HalfedgeId>& path) const {
   const auto splits = splits_.find(edge_of(h));
   if (splits != splits_.end()) {
     for (const Split& split : splits->second) {
       if (split.number < since) continue;
       const bool same = split.first == h;
-      append_now(same ? h : twin(split.second), split.number + 1, path);
-      append_now(same ? split.second : h, split.number + 1, path);
+      append_with_splits(same ? h : twin(split.second), split.number + 1, path);
+      append_with_splits(same ? split.second : h, split.number + 1, path);
       return;
     }
   }
   path.push_back(h);
 }
 
-std::vector<HalfedgeId> PointInsertion::now(std::span<const HalfedgeId> path,
-                                            std::size_t since) const {
+std::vector<HalfedgeId> PointInsertion::with_splits(std::span<const HalfedgeId> path,
+                                                    std::size_t since) const {
   std::vector<HalfedgeId> result;
-  for (const HalfedgeId h : path) append_now(h, since, result);
+  for (const HalfedgeId h : path) append_with_splits(h, since, result);
   return result;
 }
 

@@ -22,7 +22,7 @@ class PointInsertion {
   /// The triangulation must outlive this object and have no inserted vertices yet.
   explicit PointInsertion(SignpostTriangulation& triangulation)
       : triangulation_(&triangulation),
-        flips_(triangulation, [this](HalfedgeId h) { before_turn(h); }) {}
+        flips_(triangulation, [this](HalfedgeId h) { before_flip(h); }) {}
   PointInsertion(const PointInsertion&) = delete;
   PointInsertion& operator=(const PointInsertion&) = delete;
 
@@ -43,13 +43,13 @@ class PointInsertion {
   [[nodiscard]] std::size_t split_count() const { return split_count_; }
   /// Updates a path that was connected when split_count() was `since`: every edge that was split
   /// later is replaced by its two halves.
-  [[nodiscard]] std::vector<HalfedgeId> now(std::span<const HalfedgeId> path,
-                                            std::size_t since) const;
+  [[nodiscard]] std::vector<HalfedgeId> with_splits(std::span<const HalfedgeId> path,
+                                                    std::size_t since) const;
 
  private:
   /// A face with more pieces keeps them Delaunay, because needles cost most where many meet. In
   /// faces with fewer pieces no edge is flipped.
-  static constexpr std::size_t kCrowd = 64;
+  static constexpr std::size_t kMostUnflippedPieces = 64;
 
   struct Place {
     HalfedgeId side;  ///< of the piece that contains the point
@@ -69,11 +69,11 @@ class PointInsertion {
   void replace_pieces(FaceId face, HalfedgeId old, std::span<const HalfedgeId> fresh);
   VertexId insert_new(const SurfacePoint& point);
   void improve_around(VertexId v);
-  void before_turn(HalfedgeId h);
-  HalfedgeId flip_way(HalfedgeId h, VertexId to, FaceId face);
+  void before_flip(HalfedgeId h);
+  HalfedgeId clear_segment(HalfedgeId h, VertexId to, FaceId face);
   HalfedgeId step(VertexId from, VertexId to, FaceId face, bool may_flip = true);
   void go_along_edges(VertexId from, VertexId to, FaceId face, std::vector<HalfedgeId>& path);
-  void append_now(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
+  void append_with_splits(HalfedgeId h, std::size_t since, std::vector<HalfedgeId>& path) const;
 
   SignpostTriangulation* triangulation_;
   struct Split {  // the two halves of the edge, in the direction of `first`

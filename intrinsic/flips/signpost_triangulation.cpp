@@ -288,7 +288,7 @@ VertexId SignpostTriangulation::split_face(HalfedgeId h, const std::array<double
   return m;
 }
 
-void SignpostTriangulation::turn_inside(EdgeId e, double length) {
+void SignpostTriangulation::flip_unlogged(EdgeId e, double length) {
   assert(log_.empty() && e.index() >= surface_->edge_count());
   forget();
   const HalfedgeId h = halfedge_of(e), t = twin(h);

@@ -97,7 +97,7 @@ class SignpostTriangulation {
   /// Replaces an edge inside a face of the surface by the other diagonal of its two faces, which
   /// must be convex, until remove_inserted(). The change is not logged, so it is neither undone nor
   /// traced.
-  void turn_inside(EdgeId e, double length);
+  void flip_unlogged(EdgeId e, double length);
   /// Removes every inserted vertex; the metric is then the surface's own again. O(inserted).
   void remove_inserted();
   [[nodiscard]] std::size_t inserted_count() const {

@@ -220,10 +220,10 @@ TraceResult Tracer::trace(std::span<const EdgePath> paths, const Progress& progr
       head = static_cast<Index>(strands_.size() - 1);
     }
   }
-  Asker asker(progress, "trace");
+  ProgressPoller poller(progress, "trace");
   while (t.flip_count() > 0) {
     undo_one();
-    asker.did(kOfFlip + visits_.size());
+    poller.add_work(kOfFlip + visits_.size());
   }
 
   TraceResult result;
@@ -233,7 +233,7 @@ TraceResult Tracer::trace(std::span<const EdgePath> paths, const Progress& progr
     curve.closed = path.closed();
     for (std::size_t k = 0; k < path.halfedges().size(); ++k) {
       emit(strands_[strand++], curve, result.clamped);
-      asker.did(kOfStrand);
+      poller.add_work(kOfStrand);
     }
     if (!path.closed()) curve.points.push_back(t.location(strands_[strand - 1].to));
   }

@@ -221,7 +221,7 @@ void StripLines::fill(StripLine& line) const {
   line.turns.clear();
   if (bends_.empty()) {
     const PlanePoint way = to_ - from_;
-    line.length = line.first_leg = line.last_leg = norm(way);
+    line.length = line.to_first_bend = line.from_last_bend = norm(way);
     line.start = line.length > 0 ? (1 / line.length) * way : PlanePoint{1, 0};
     line.end = rotated({turn_.x, -turn_.y}, line.start);
     line.found = std::isfinite(line.length);
@@ -230,8 +230,8 @@ void StripLines::fill(StripLine& line) const {
   line.length = length();
   const PlanePoint first = bends_.front().at - from_, last = to_ - bends_.back().at;
   line.start = unit(first);
-  line.first_leg = norm(first);
-  line.last_leg = norm(last);
+  line.to_first_bend = norm(first);
+  line.from_last_bend = norm(last);
   line.end = rotated({turn_.x, -turn_.y}, unit(last));
   for (std::size_t b = 0; b < bends_.size(); ++b) {
     const PlanePoint in = bends_[b].at - (b > 0 ? bends_[b - 1].at : from_);

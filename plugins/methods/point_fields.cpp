@@ -15,10 +15,10 @@ constexpr std::size_t kOfValue = 4;  // units of work
 template <class Work>
 void asked(PolylineDistance& distance, const plugin::Services& services, const Work& work) {
   try {
-    Asker asker([&](const char* stage, double done) { return services.go_on(stage, done); },
-                "distance");
-    const AskedDuring during(distance, asker);
-    work(asker);
+    ProgressPoller poller(
+        [&](const char* stage, double done) { return services.go_on(stage, done); }, "distance");
+    const ScopedPoller scoped(distance, poller);
+    work(poller);
   } catch (const Cancelled&) {
     throw plugin::Services::cancelled();
   }
@@ -54,11 +54,11 @@ PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                            const SurfaceCurve& result, const plugin::Services& services) {
   PointField field{"deviation", "mesh units", {}};
   PolylineDistance distance(mesh.surface());
-  asked(distance, services, [&](Asker& asker) {
+  asked(distance, services, [&](ProgressPoller& poller) {
     distance.set(std::span(&drawn, 1));
     for (const SurfacePoint& point : result.points) {
       field.values.push_back(distance.at(point).distance);
-      asker.did(kOfValue);
+      poller.add_work(kOfValue);
     }
   });
   return field;
@@ -81,12 +81,12 @@ std::vector<NearestOnCurve> nearest_field(const Surface& surface,
   PolylineDistance distance(surface);
   const std::size_t n = surface.vertex_count();
   std::vector<NearestOnCurve> nearest(n);
-  asked(distance, services, [&](Asker& asker) {
+  asked(distance, services, [&](ProgressPoller& poller) {
     distance.set(curves);
     std::size_t known = 0;
     for (const VertexId v : outwards(surface, curves)) {
-      asker.is_at(static_cast<double>(known++) / static_cast<double>(n));
-      asker.did(kOfValue);
+      poller.set_fraction(static_cast<double>(known++) / static_cast<double>(n));
+      poller.add_work(kOfValue);
       nearest[v.index()] = distance.at_vertex(v);
     }
   });
@@ -100,16 +100,16 @@ std::vector<double> quick_distance_field(const Surface& surface,
   if (surface.vertex_count() <= kSmall) return exact_distance_field(surface, curves, services);
   PolylineDistance distance(surface);
   std::vector<double> values(surface.vertex_count(), std::numeric_limits<double>::infinity());
-  asked(distance, services, [&](Asker& asker) {
+  asked(distance, services, [&](ProgressPoller& poller) {
     distance.set(curves);
     std::size_t known = 0;
     for (const VertexId v : outwards(surface, curves)) {
       if (known == kExact) break;
-      asker.is_at(0.5 * static_cast<double>(known++) / static_cast<double>(kExact));
-      asker.did(kOfValue);
+      poller.set_fraction(0.5 * static_cast<double>(known++) / static_cast<double>(kExact));
+      poller.add_work(kOfValue);
       values[v.index()] = distance.at_vertex(v).distance;
     }
-    march_distance(surface, values, asker);
+    march_distance(surface, values, poller);
   });
   return values;
 }

@@ -84,8 +84,8 @@ TEST(ChainRanges, AreDisjointAndInsideTheChain) {
   EXPECT_EQ(ranges[1].first, 35U);
   EXPECT_EQ(ranges[1].last, 50U);
   EXPECT_EQ(ranges[2].last, 99U);
-  EXPECT_FALSE(is_little(ranges, 100));
-  EXPECT_TRUE(is_little(ranges, 1000));
+  EXPECT_FALSE(is_small_part(ranges, 100));
+  EXPECT_TRUE(is_small_part(ranges, 1000));
 }
 
 }  // namespace

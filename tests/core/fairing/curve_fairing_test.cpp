@@ -70,17 +70,17 @@ TEST(CurveFairing, AChainFarTooLongIsRejected) {
   const DrawnBand band(distance, 0, {edge, {}, edge / 8, 1.5});
   StripCurvature curvature(opened->surface());
   const CurveTrace start = trace_of(opened->surface(), drawn);
-  Asker asker({}, "fair");
+  ProgressPoller poller({}, "fair");
   CurveFairing fairing(curvature, &band, edge, {});
   fairing.give_up_beyond(2 * length);
-  const auto chain = fairing.from_curve(start, asker);
+  const auto chain = fairing.from_curve(start, poller);
   ASSERT_TRUE(chain.has_value());
   EXPECT_LT(chain->length(), 2 * length);
   SampleTrail trail;
-  EXPECT_TRUE(fairing.from_chain(*chain, trail, asker).has_value());
+  EXPECT_TRUE(fairing.from_chain(*chain, trail, poller).has_value());
   fairing.give_up_beyond(chain->length() / 2);
-  EXPECT_FALSE(fairing.from_curve(start, asker).has_value());
-  EXPECT_FALSE(fairing.from_chain(*chain, trail, asker).has_value());
+  EXPECT_FALSE(fairing.from_curve(start, poller).has_value());
+  EXPECT_FALSE(fairing.from_chain(*chain, trail, poller).has_value());
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST_F(JoinedCurvesTest, JoinEndsInAnyDirection) {
   EXPECT_TRUE(whole.points == other_way(stretch_between(wave, 0, 30)).points);
   const auto where = junctions(all[0], curves);
   EXPECT_TRUE((where == std::vector{wave.points[20], wave.points[9]}));
-  const auto parts = parted(all[0], where, whole);
+  const auto parts = split_at_junctions(all[0], where, whole);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_TRUE(parts[k].points == curves[all[0].parts[k].curve].points) << k;
   }
@@ -103,7 +103,7 @@ TEST_F(JoinedCurvesTest, CanFormARing) {
     const auto where = junctions(all[0], curves);
     EXPECT_EQ(where.size(), 2U);
     std::rotate(whole.points.begin(), whole.points.begin() + 4, whole.points.end());
-    const auto parts = parted(all[0], where, whole);
+    const auto parts = split_at_junctions(all[0], where, whole);
     for (std::size_t k = 0; k < 2; ++k) EXPECT_TRUE(parts[k].points == curves[k].points) << k;
   }
   SurfaceCurve open = drawn;
@@ -112,8 +112,9 @@ TEST_F(JoinedCurvesTest, CanFormARing) {
   const auto alone = groups({open});
   ASSERT_EQ(alone.size(), 1U);
   EXPECT_TRUE(alone[0].is_ring);
-  EXPECT_TRUE(parted(alone[0], junctions(alone[0], std::vector{open}), drawn)[0].points ==
-              open.points);
+  EXPECT_TRUE(
+      split_at_junctions(alone[0], junctions(alone[0], std::vector{open}), drawn)[0].points ==
+      open.points);
 }
 
 TEST_F(JoinedCurvesTest, NeedExactlyTwoEndsThatAreFree) {

@@ -51,7 +51,7 @@ TEST_F(SaddlePassingTest, EachPointAndTheNextShareAFaceWhereverALoopBegins) {
     const Surface& surface = opened->mesh().surface();
     SaddlePassing passing(surface);
     for (std::size_t start = 0; start < 16; ++start) {
-      const SurfaceCurve curve = passing.led_past(points_at(surface, ring(start)), true);
+      const SurfaceCurve curve = passing.moved_off_saddles(points_at(surface, ring(start)), true);
       const std::size_t n = curve.points.size();
       for (std::size_t i = 0; i < n; ++i) {
         EXPECT_TRUE(common_face(surface, curve.points[i], curve.points[(i + 1) % n]).valid())
@@ -68,11 +68,11 @@ TEST_F(SaddlePassingTest, EndsAndPointsThatStayAreKept) {
   const Surface& surface = opened->mesh().surface();
   std::vector<KeptPoint> points = points_at(surface, ring(0));
   for (KeptPoint& point : points) point.stays = true;
-  const SurfaceCurve loop = SaddlePassing(surface).led_past(points, true);
+  const SurfaceCurve loop = SaddlePassing(surface).moved_off_saddles(points, true);
   ASSERT_EQ(loop.points.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_EQ(loop.points[i], points[i].point);
   for (KeptPoint& point : points) point.stays = false;
-  const SurfaceCurve open = SaddlePassing(surface).led_past(points, false);
+  const SurfaceCurve open = SaddlePassing(surface).moved_off_saddles(points, false);
   EXPECT_EQ(open.points.front(), points.front().point);
   EXPECT_EQ(open.points.back(), points.back().point);
 }
@@ -81,8 +81,8 @@ TEST_F(SaddlePassingTest, NoPointIsLostOfTheShortestCurves) {
   const auto opened = OpenedMesh::open(rough_grid(3));
   const Surface& surface = opened->mesh().surface();
   const std::vector<KeptPoint> one = points_at(surface, {VertexId{40}});
-  EXPECT_EQ(SaddlePassing(surface).led_past(one, true).points.size(), 1);
-  EXPECT_EQ(SaddlePassing(surface).led_past({}, false).points.size(), 0);
+  EXPECT_EQ(SaddlePassing(surface).moved_off_saddles(one, true).points.size(), 1);
+  EXPECT_EQ(SaddlePassing(surface).moved_off_saddles({}, false).points.size(), 0);
 }
 
 }  // namespace

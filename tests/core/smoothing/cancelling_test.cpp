@@ -67,8 +67,8 @@ TEST(Asking, ADistanceIsAskedInProportionToItsWindows) {
   const SurfaceCurve drawn = long_wave(opened->mesh(), 150);
   PolylineDistance distance(opened->surface());
   Answers answers;
-  Asker asker(answers.progress(), "distance");
-  const AskedDuring asked(distance, asker);
+  ProgressPoller poller(answers.progress(), "distance");
+  const ScopedPoller scoped(distance, poller);
   distance.set(std::span(&drawn, 1));
   distance.reach(1000);
   ASSERT_GT(distance.window_count(), 200'000U);
@@ -83,7 +83,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   Answers setting, smoothing, again;
   CurveSmoother smoother(opened);
   ASSERT_TRUE(smoother.set_curve(drawn, {}, setting.progress()));
-  EXPECT_GE(setting.of("embed"), 32 * drawn.points.size() / Asker::kEvery);
+  EXPECT_GE(setting.of("embed"), 32 * drawn.points.size() / ProgressPoller::kEvery);
   EXPECT_GE(setting.of("solve"), 1U);
   SmoothingOptions options;
   smoother.smooth(options, smoothing.progress());
@@ -96,7 +96,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
   options.tau = 1.01;
   smoother.smooth(options, again.progress());
   EXPECT_EQ(again.of("trace"), 0U);
-  EXPECT_GE(again.of("fair"), 4 * drawn.points.size() / Asker::kEvery);
+  EXPECT_GE(again.of("fair"), 4 * drawn.points.size() / ProgressPoller::kEvery);
   EXPECT_GE(again.of("measure"), 1U);
 }
 
@@ -115,7 +115,7 @@ TEST(Asking, FarDistancesAreAskedAbout) {
   distance.set(std::span(&drawn, 1));
   distance.reach(0.9 * report.deviation_to_drawn_max);
   EXPECT_GE(answers.of("straighten") + answers.of("fair") + answers.of("measure"),
-            3 * distance.window_count() / Asker::kEvery);
+            3 * distance.window_count() / ProgressPoller::kEvery);
 }
 
 TEST(Asking, DrawingAndSnappingAsk) {
@@ -123,7 +123,7 @@ TEST(Asking, DrawingAndSnappingAsk) {
   const Surface& surface = opened->surface();
   Answers drawing;
   const auto path = EdgeDijkstra(surface).draw(ids({0, 151 * 151 - 1}), false, drawing.progress());
-  EXPECT_GE(drawing.asked(), 8 * surface.vertex_count() / 2 / Asker::kEvery);
+  EXPECT_GE(drawing.asked(), 8 * surface.vertex_count() / 2 / ProgressPoller::kEvery);
   CurveInput input;
   std::vector<Point> positions;
   for (const VertexId v : path) {
@@ -132,7 +132,7 @@ TEST(Asking, DrawingAndSnappingAsk) {
   input.points = positions;
   Answers snapping;
   snap(opened->mesh(), input, {}, snapping.progress());
-  EXPECT_GE(snapping.asked(), 64 * positions.size() / Asker::kEvery);
+  EXPECT_GE(snapping.asked(), 64 * positions.size() / ProgressPoller::kEvery);
 }
 
 // ---- at any moment ----
@@ -392,9 +392,9 @@ TEST(Cancelling, ADistanceGoesOnAsIfItHadNotBeenAsked) {
   for (int k = 0; k < 400; ++k) {
     const VertexId v{any(random)};
     Answers answers(1 + moment(random, 4));
-    Asker asker(answers.progress(), "distance");
+    ProgressPoller poller(answers.progress(), "distance");
     try {
-      const AskedDuring asked(cut_short, asker);
+      const ScopedPoller scoped(cut_short, poller);
       cut_short.at_vertex(v);
     } catch (const Cancelled&) {
       ++times;

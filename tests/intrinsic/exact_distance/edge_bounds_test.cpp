@@ -42,9 +42,9 @@ TEST(EdgeBounds, RuleOutOnlyPlacesWithAShorterKnownWay) {
     std::vector<EdgeWindow> windows;
     for (int k = 0; k < 40; ++k) {
       const EdgeWindow window = random_window(random, length);
-      std::size_t looked_at = 0;
-      const auto [begin, end] = bounds.not_longer(window, 1e-12 * length, looked_at);
-      EXPECT_GT(looked_at, 0U);
+      std::size_t visited = 0;
+      const auto [begin, end] = bounds.not_longer(window, 1e-12 * length, visited);
+      EXPECT_GT(visited, 0U);
       for (int i = 0; i <= 50; ++i) {
         const double along = window.begin + (window.end - window.begin) * i / 50;
         const double x = std::min(along, window.end);
@@ -66,8 +66,8 @@ TEST(EdgeBounds, KeepTheWholeWindowAtFirst) {
   window.begin = 0.3;
   window.end = 1.9;
   window.py = -1;
-  std::size_t looked_at = 0;
-  const auto [begin, end] = bounds.not_longer(window, 0, looked_at);
+  std::size_t visited = 0;
+  const auto [begin, end] = bounds.not_longer(window, 0, visited);
   EXPECT_EQ(begin, 0.3);
   EXPECT_EQ(end, 1.9);
 }

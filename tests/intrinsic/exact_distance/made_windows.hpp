@@ -21,7 +21,7 @@ inline EdgeWindow window_from(double px, double py, double begin, double end, do
 /// A window of parallel ways straight up, perpendicular to its edge.
 inline EdgeWindow window_upwards(double begin, double end, double offset) {
   EdgeWindow w = window_from(0, 1, begin, end, offset);
-  w.sense = 1;
+  w.arc_sign = 1;
   return w;
 }
 

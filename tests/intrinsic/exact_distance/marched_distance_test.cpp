@@ -20,8 +20,8 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 Surface plane(std::size_t n) { return test::surface_of(test::grid(n - 1, n - 1)); }
 
 std::vector<double> marched(const Surface& surface, std::vector<double> distance) {
-  Asker asker({}, "distance");
-  march_distance(surface, distance, asker);
+  ProgressPoller poller({}, "distance");
+  march_distance(surface, distance, poller);
   return distance;
 }
 
@@ -69,10 +69,10 @@ TEST(MarchDistance, StopsWhenAsked) {
   std::vector<double> distance(101 * 101, kFar);
   distance[0] = 0;
   int asked = 0;
-  Asker asker([&](const char*, double) { return ++asked < 2; }, "distance");
-  EXPECT_THROW(march_distance(plane(101), distance, asker), Cancelled);
+  ProgressPoller poller([&](const char*, double) { return ++asked < 2; }, "distance");
+  EXPECT_THROW(march_distance(plane(101), distance, poller), Cancelled);
   std::vector<double> few(3, 0);
-  Asker quiet({}, "distance");
+  ProgressPoller quiet({}, "distance");
   EXPECT_THROW(march_distance(plane(3), few, quiet), std::invalid_argument);
 }
 

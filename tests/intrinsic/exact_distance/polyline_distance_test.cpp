@@ -588,7 +588,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
     const auto again = late.at_vertex_roughly(v, kNear);  // after a longer march
     EXPECT_EQ(about.distance, again.distance);
     EXPECT_EQ(about.arc_length, again.arc_length);
-    EXPECT_EQ(about.distance, rough.at_vertex_roughly(v, kNear).distance);
+    EXPECT_EQ(about.distance, rough.at_vertex_bounded(v, kNear).distance);
     if (distance <= kNear) {
       EXPECT_EQ(about.distance, distance);
       continue;
@@ -598,7 +598,7 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
     const HalfedgeId first = surface.halfedge(v);
     HalfedgeId h = first;
     do {
-      const double way = rough.at_vertex_roughly(surface.head(h), kNear).distance;
+      const double way = rough.at_vertex_bounded(surface.head(h), kNear).distance;
       if (distance < kFar) {
         EXPECT_LE(about.distance, (way + surface.length(edge_of(h))) * (1 + kExact));
       }
@@ -656,7 +656,7 @@ TEST(PolylineDistance, RoughlyNeedsNoWideBand) {
   rough.set({&curve, 1});
   exact.set({&curve, 1});
   const VertexId away{100 + 201 * 104};
-  EXPECT_GE(rough.at_vertex_roughly(away, 1.5).distance, exact.at_vertex(away).distance);
+  EXPECT_GE(rough.at_vertex_bounded(away, 1.5).distance, exact.at_vertex(away).distance);
   EXPECT_LT(2 * rough.window_count(), exact.window_count());
 }
 

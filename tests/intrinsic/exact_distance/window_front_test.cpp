@@ -110,8 +110,8 @@ TEST_F(MarchOnAGrid, ContinuesWhereItWasInterrupted) {
   }
   march_to_the_end(whole);
   int asked = 0;
-  Asker asker([&](const char*, double) { return ++asked % 2 == 1; }, "march");
-  front_.work().ask(&asker);
+  ProgressPoller poller([&](const char*, double) { return ++asked % 2 == 1; }, "march");
+  front_.work().set_poller(&poller);
   int interrupted = 0;
   while (!front_.is_done()) {
     front_.work().add(Asker::kEvery);  // the asker is called at once

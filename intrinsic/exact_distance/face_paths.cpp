@@ -1,4 +1,4 @@
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Arrival from_window(const EdgeWindow& w, double x, double rise, bool own) {
   double bend = 0;
   if (w.bends_towards(x, rise, bend)) return from_point(turn * (x - bend), rise);
   if (w.from_point()) return from_point(turn * (x - w.px), rise + std::abs(w.py));
-  return {{turn * w.px, turn * w.py}, {turn * w.sense * w.py, -turn * w.sense * w.px}};
+  return {{turn * w.px, turn * w.py}, {turn * w.arc_sign * w.py, -turn * w.arc_sign * w.px}};
 }
 
 Arrival from_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
@@ -52,7 +52,7 @@ Arrival from_segment(PlanePoint x, PlanePoint p, PlanePoint q) {
 namespace {
 
 /// The path through a window of a side to a point in that side's frame.
-NearestOnCurve through(const LedIn& in, double length, PlanePoint p) {
+NearestOnCurve through(const EnteringWindow& in, double length, PlanePoint p) {
   NearestOnCurve nearest{0, in.window.curve, 0};
   nearest.distance = in.own ? in.window.value_beyond(p.x, p.y, nearest.arc_length)
                             : in.window.value_beyond(length - p.x, -p.y, nearest.arc_length);
@@ -71,36 +71,36 @@ NearestOnCurve straight_from(const PolylinePiece& segment, const SideFrame& fram
 
 /// Replaces `best` by shorter paths through the windows of the sides. A path is at least as long as
 /// the smallest distance of its window.
-void WaysIntoFace::offer_windows(const Corners& at, Hit& best) const {
-  for (const LedIn& in : windows) {
+void FacePaths::offer_windows(const Corners& at, Hit& best) const {
+  for (const EnteringWindow& in : windows) {
     if (in.lowest > best.nearest.distance) continue;
     const NearestOnCurve nearest = through(in, frames[in.side].length, at[in.side]);
     if (nearest.is_nearer_than(best.nearest)) best = {nearest, in.side, &in};
   }
 }
 
-void WaysIntoFace::offer_segments(PlanePoint at, Hit& best) const {
+void FacePaths::offer_segments(PlanePoint at, Hit& best) const {
   for (const PolylinePiece& segment : segments) {
     const NearestOnCurve nearest = straight_from(segment, frames[0], at);
     if (nearest.is_nearer_than(best.nearest)) best = {nearest, 0, nullptr, &segment};
   }
 }
 
-WaysIntoFace::Hit WaysIntoFace::way(std::size_t i, const Barycentric& b) const {
+FacePaths::Hit FacePaths::path(std::size_t i, const Barycentric& b) const {
   if (i < 3) {
     const PlanePoint p = frames[i].at(b, i);
     return {corners[i].farther_by(length_of(p.x, p.y)), i};
   }
   i -= 3;
   if (i < windows.size()) {
-    const LedIn& in = windows[i];
+    const EnteringWindow& in = windows[i];
     return {through(in, frames[in.side].length, frames[in.side].at(b, in.side)), in.side, &in};
   }
   const PolylinePiece& segment = segments[i - windows.size()];
   return {straight_from(segment, frames[0], frames[0].at(b, 0)), 0, nullptr, &segment};
 }
 
-WaysIntoFace::Hit WaysIntoFace::hit(const Barycentric& b) const {
+FacePaths::Hit FacePaths::hit(const Barycentric& b) const {
   Hit best{NearestOnCurve::none()};
   Corners at;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -115,8 +115,8 @@ WaysIntoFace::Hit WaysIntoFace::hit(const Barycentric& b) const {
   return best;
 }
 
-WaysIntoFace::Slopes WaysIntoFace::slopes(const Hit& hit, const Barycentric& b,
-                                          PlanePoint direction) const {
+FacePaths::Slopes FacePaths::slopes(const Hit& hit, const Barycentric& b,
+                                    PlanePoint direction) const {
   const SideFrame& frame = frames[hit.side];
   const PlanePoint p = frame.at(b, hit.side);
   Arrival way;

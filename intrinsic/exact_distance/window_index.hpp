@@ -1,4 +1,4 @@
-// A window crowd holds the extents of the many windows of one edge, and finds the windows in a
+// A window index holds the extents of the many windows of one edge, and finds the windows in a
 // range.
 #pragma once
 
@@ -23,7 +23,7 @@ struct EdgeRange {
 /// The extents lie in bins of up to kMost, side by side along the edge. Windows of one edge hardly
 /// overlap, so a range meets few bins besides the bins that it contains. Among n windows, an
 /// addition costs O(kMost + n / kMost); a search costs the same and the windows that it finds.
-class WindowCrowd {
+class WindowIndex {
  public:
   using Id = std::uint32_t;
 
@@ -53,12 +53,12 @@ class WindowCrowd {
   /// Returns the number of visited bins and extents.
   template <class Use>
   std::size_t each_meeting(EdgeRange range, Use use) {
-    std::size_t looked_at = 0;
+    std::size_t visited = 0;
     for (std::size_t h = 0; h < bins_.size() && !range.is_empty(); ++h) {
-      ++looked_at;
+      ++visited;
       if (!range.meets(bins_[h].reach)) continue;
       std::vector<Extent>& extents = bins_[h].extents;
-      looked_at += extents.size();
+      visited += extents.size();
       for (std::size_t i = 0; i < extents.size() && !range.is_empty();) {
         if (range.meets(extents[i].range)) range = use(extents[i].id, extents[i].range);
         if (!extents[i].range.is_empty()) {
@@ -70,7 +70,7 @@ class WindowCrowd {
         --size_;
       }
     }
-    return looked_at;
+    return visited;
   }
 
  private:

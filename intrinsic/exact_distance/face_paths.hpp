@@ -1,4 +1,4 @@
-// The ways into a face are the paths that reach points inside the face: through its sides, from its
+// Face paths are the paths that reach points inside a face: through its sides, from its
 // corners, and from curves in the face itself.
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace talweg {
 
 /// A window of a side that leads into the face.
-struct LedIn {
+struct EnteringWindow {
   EdgeWindow window;
   double lowest = 0;  ///< its smallest distance
   std::uint32_t side = 0;
@@ -24,11 +24,11 @@ struct LedIn {
 
 /// The data that a query inside a face reads, side by side in memory. Windows and segments are
 /// views.
-struct WaysIntoFace {
+struct FacePaths {
   std::array<SideFrame, 3> frames;
   std::array<NearestOnCurve, 3> corners;
   double longest = 0;  ///< side
-  std::span<const LedIn> windows;
+  std::span<const EnteringWindow> windows;
   std::span<const PolylinePiece> segments;  ///< in the face
 
   using Barycentric = std::array<double, 3>;  ///< in the order of Surface::corners()
@@ -37,7 +37,7 @@ struct WaysIntoFace {
   struct Hit {
     NearestOnCurve nearest;
     std::size_t side = 0;  ///< the side in whose frame the path arrives
-    const LedIn* window = nullptr;
+    const EnteringWindow* window = nullptr;
     const PolylinePiece* segment = nullptr;  ///< both null: a path from corner `side`
   };
   /// At most O(windows + segments of the face).
@@ -47,7 +47,7 @@ struct WaysIntoFace {
   [[nodiscard]] std::size_t count() const { return 3 + windows.size() + segments.size(); }
   /// Path number i < count() to a point of the face, whether it is the shortest or not. The length
   /// of a path is a convex function on the face, and the distance is the least length.
-  [[nodiscard]] Hit way(std::size_t i, const Barycentric& b) const;
+  [[nodiscard]] Hit path(std::size_t i, const Barycentric& b) const;
 
   /// The derivatives of the answer at b along a direction in the plane of frames[0].
   struct Slopes {

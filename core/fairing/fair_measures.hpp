@@ -17,8 +17,8 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 
 /// Whether a curve turns by `least` (radians) or more in all, without its turns at corners. Stops
 /// at the point where the sum reaches `least`.
-bool turns_by(double least, const Surface& surface, const SurfaceCurve& curve,
-              std::span<const SurfacePoint> corners);
+bool total_turn_reaches(double least, const Surface& surface, const SurfaceCurve& curve,
+                        std::span<const SurfacePoint> corners);
 
 /// The largest turn at a point of a fair curve that is no corner, radians.
 constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
@@ -29,14 +29,15 @@ double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
 
 /// Whether a curve is fair without a comparison: between corners it turns little, at each point and
 /// in each window of one `edge` length (mesh units), and only its ends may be at the boundary.
-bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
-               std::span<const SurfacePoint> corners, double edge);
+bool is_clearly_fair(const Surface& surface, const SurfaceCurve& curve,
+                     std::span<const SurfacePoint> corners, double edge);
 
 /// Whether a fair curve has more points at the boundary than the taut curve, which has at most two.
-bool is_pressed(const Surface& surface, const SurfaceCurve& fair, const SurfaceCurve& taut);
+bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& fair,
+                              const SurfaceCurve& taut);
 
-/// The points of a fair curve at the boundary if it is_pressed(), else none.
-std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCurve& fair,
-                                         const SurfaceCurve& taut);
+/// The points of a fair curve at the boundary if it has_more_boundary_points(), else none.
+std::vector<SurfacePoint> boundary_points_of(const Surface& surface, const SurfaceCurve& fair,
+                                             const SurfaceCurve& taut);
 
 }  // namespace talweg

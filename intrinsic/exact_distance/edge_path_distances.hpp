@@ -1,4 +1,4 @@
-// Edge ways are paths along edges to vertices whose distances are known.
+// Edge path distances are lengths of paths along edges to vertices whose distances are known.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,9 @@ namespace talweg {
 
 /// Finds upper bounds where exact distances would cost far more: among needles, the number of
 /// windows grows with the square of the number of edges. The surface must outlive the object.
-class EdgeWays {
+class EdgePathDistances {
  public:
-  explicit EdgeWays(const Surface& surface) : surface_(&surface) {}
+  explicit EdgePathDistances(const Surface& surface) : surface_(&surface) {}
 
   /// Must be called when the distances of the vertices have been reset.
   void clear() { from_ = -1; }
@@ -33,12 +33,12 @@ class EdgeWays {
     double way = 0;  // along edges
     bool settled = false;
   };
-  struct Way {
+  struct Path {
     NearestOnCurve nearest;
     VertexId vertex;
   };
   struct IsLater {
-    bool operator()(const Way& a, const Way& b) const {
+    bool operator()(const Path& a, const Path& b) const {
       return b.nearest.is_nearer_than(a.nearest);
     }
   };
@@ -54,7 +54,7 @@ class EdgeWays {
   std::vector<Reached> reached_;  // vertices reached by the last search_near()
   // The search from all exact distances: its limit, queue and settled vertices.
   double from_ = -1;
-  std::vector<Way> queue_;
+  std::vector<Path> queue_;
   std::unordered_map<VertexId, NearestOnCurve> settled_;
 };
 

@@ -1,4 +1,4 @@
-#include "talweg/core/fairing/fair_verdict.hpp"
+#include "talweg/core/fairing/fair_measures.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +39,7 @@ bool is_at_boundary(const Surface& surface, const SurfacePoint& point) {
 }
 
 /// The number of a curve's points at the boundary.
-std::size_t boundary_points(const Surface& surface, const SurfaceCurve& curve) {
+std::size_t boundary_point_count(const Surface& surface, const SurfaceCurve& curve) {
   return static_cast<std::size_t>(
       std::count_if(curve.points.begin(), curve.points.end(),
                     [&](const SurfacePoint& point) { return is_at_boundary(surface, point); }));
@@ -77,8 +77,8 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
   return sum;
 }
 
-bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
-               std::span<const SurfacePoint> corners, double edge) {
+bool is_clearly_fair(const Surface& surface, const SurfaceCurve& curve,
+                     std::span<const SurfacePoint> corners, double edge) {
   constexpr double kMost = 30 * std::numbers::pi / 180;  // in one edge length
   double most = 0;
   for_turns_between(surface, curve, corners, [&](const CurveTurns& turns) {
@@ -90,7 +90,7 @@ bool is_gentle(const Surface& surface, const SurfaceCurve& curve,
     ends += is_at_boundary(surface, curve.points.front()) ? 1 : 0;
     ends += is_at_boundary(surface, curve.points.back()) ? 1 : 0;
   }
-  return boundary_points(surface, curve) <= ends;
+  return boundary_point_count(surface, curve) <= ends;
 }
 
 namespace {
@@ -111,8 +111,8 @@ void look_at_turns(const Surface& surface, const SurfaceCurve& curve,
 
 }  // namespace
 
-bool turns_by(double least, const Surface& surface, const SurfaceCurve& curve,
-              std::span<const SurfacePoint> corners) {
+bool total_turn_reaches(double least, const Surface& surface, const SurfaceCurve& curve,
+                        std::span<const SurfacePoint> corners) {
   double sum = 0;
   look_at_turns(surface, curve, corners, [&](double turn) { return (sum += turn) < least; });
   return sum >= least;
@@ -128,15 +128,16 @@ double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
   return most;
 }
 
-bool is_pressed(const Surface& surface, const SurfaceCurve& curve, const SurfaceCurve& taut) {
-  const std::size_t by_itself = boundary_points(surface, taut);
-  return by_itself <= 2 && boundary_points(surface, curve) > by_itself;
+bool has_more_boundary_points(const Surface& surface, const SurfaceCurve& curve,
+                              const SurfaceCurve& taut) {
+  const std::size_t by_itself = boundary_point_count(surface, taut);
+  return by_itself <= 2 && boundary_point_count(surface, curve) > by_itself;
 }
 
-std::vector<SurfacePoint> pressed_points(const Surface& surface, const SurfaceCurve& fair,
-                                         const SurfaceCurve& taut) {
+std::vector<SurfacePoint> boundary_points_of(const Surface& surface, const SurfaceCurve& fair,
+                                             const SurfaceCurve& taut) {
   std::vector<SurfacePoint> points;
-  if (!is_pressed(surface, fair, taut)) return points;
+  if (!has_more_boundary_points(surface, fair, taut)) return points;
   std::copy_if(fair.points.begin(), fair.points.end(), std::back_inserter(points),
                [&](const SurfacePoint& point) { return is_at_boundary(surface, point); });
   return points;

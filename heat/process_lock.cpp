@@ -1,4 +1,4 @@
-#include "talweg/heat/module_turn.hpp"
+#include "talweg/heat/process_lock.hpp"
 
 #if __has_include(<sys/file.h>)
 #include <cerrno>
@@ -9,14 +9,14 @@
 
 namespace talweg {
 
-ModuleTurn::ModuleTurn(Resource resource) {
+ProcessLock::ProcessLock(Resource resource) {
   const char* own = resource == Resource::kOpenBlas ? "/proc/self/comm" : "/proc/self/stat";
   file_ = open(own, O_RDONLY | O_CLOEXEC);
   while (file_ >= 0 && flock(file_, LOCK_EX) != 0 && errno == EINTR) {
   }
 }
 
-ModuleTurn::~ModuleTurn() {
+ProcessLock::~ProcessLock() {
   if (file_ < 0) return;
   flock(file_, LOCK_UN);  // closing alone keeps the lock if a forked child has the file, too
   close(file_);
@@ -28,8 +28,8 @@ ModuleTurn::~ModuleTurn() {
 
 namespace talweg {
 
-ModuleTurn::ModuleTurn(Resource) {}
-ModuleTurn::~ModuleTurn() = default;
+ProcessLock::ProcessLock(Resource) {}
+ProcessLock::~ProcessLock() = default;
 
 }  // namespace talweg
 

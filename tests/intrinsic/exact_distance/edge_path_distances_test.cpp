@@ -17,7 +17,7 @@ TEST(EdgeWays, LeadToTheBestVertexWithinTheLimit) {
   known.lower(id(0, 0), {0, 4, 1});
   known.lower(id(3, 0), {0.5, 5, 2});
   known.lower(id(3, 2), {1.5, 6, 3});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   // The first known vertex is three diagonals away, the second three sides.
   const NearestOnCurve near = ways.shortest(id(3, 3), 1, known, work);
@@ -29,12 +29,12 @@ TEST(EdgeWays, LeadToTheBestVertexWithinTheLimit) {
   EXPECT_DOUBLE_EQ(ways.shortest(id(3, 3), 2, known, work).distance, 2.5);
 }
 
-TEST(EdgeWays, LeadAcrossManyVertices) {
+TEST(EdgePathDistances, LeadAcrossManyVertices) {
   constexpr std::size_t n = 40;
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   // Shortest edge paths use the diagonals of the grid as far as possible.
   for (const auto& [i, j] : {std::array<std::size_t, 2>{n, n}, {n, 10}, {0, n}, {30, 35}}) {
@@ -56,7 +56,7 @@ TEST(EdgeWays, AreInfiniteWithoutKnownVertices) {
   const Surface surface = test::surface_of(mesh);
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   EXPECT_TRUE(std::isinf(ways.shortest(VertexId{16}, 1, known, work).distance));
 }
@@ -66,11 +66,11 @@ TEST(EdgeWays, CountTheirWorkAndContinue) {
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());
   known.lower(VertexId{0}, {0, 0, 0});
-  EdgeWays ways(surface);
+  EdgePathDistances ways(surface);
   WorkTally work;
   bool may = true;
-  Asker asker([&](const char*, double) { return may; }, "ways");
-  work.ask(&asker);
+  ProgressPoller poller([&](const char*, double) { return may; }, "ways");
+  work.set_poller(&poller);
   may = false;
   const VertexId last{(n + 1) * (n + 1) - 1};
   EXPECT_THROW(ways.shortest(last, 0, known, work), Cancelled);

@@ -1,4 +1,4 @@
-#include "talweg/intrinsic/exact_distance/edge_ways.hpp"
+#include "talweg/intrinsic/exact_distance/edge_path_distances.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,15 +20,15 @@ void for_each_neighbour(const Surface& surface, VertexId v, Visit visit) {
 
 }  // namespace
 
-NearestOnCurve EdgeWays::shortest(VertexId v, double exact, const VertexDistances& known,
-                                  WorkTally& work) {
+NearestOnCurve EdgePathDistances::shortest(VertexId v, double exact, const VertexDistances& known,
+                                           WorkTally& work) {
   if (const auto found = search_near(v, exact, known)) return *found;
   return search_all(v, exact, known, work);
 }
 
 /// Dijkstra's algorithm from the vertex v; empty if the search exceeds kMost vertices.
-std::optional<NearestOnCurve> EdgeWays::search_near(VertexId v, double exact,
-                                                    const VertexDistances& known) {
+std::optional<NearestOnCurve> EdgePathDistances::search_near(VertexId v, double exact,
+                                                             const VertexDistances& known) {
   constexpr int kMost = 64;  // vertices
   NearestOnCurve best = NearestOnCurve::none();
   reached_.assign(1, {v});
@@ -54,7 +54,7 @@ std::optional<NearestOnCurve> EdgeWays::search_near(VertexId v, double exact,
   return {};
 }
 
-void EdgeWays::reach(VertexId v, double way) {
+void EdgePathDistances::reach(VertexId v, double way) {
   const auto before = std::find_if(reached_.begin(), reached_.end(),
                                    [&](const Reached& r) { return r.vertex == v; });
   if (before == reached_.end()) {
@@ -64,12 +64,12 @@ void EdgeWays::reach(VertexId v, double way) {
   }
 }
 
-void EdgeWays::push(VertexId v, const NearestOnCurve& nearest) {
+void EdgePathDistances::push(VertexId v, const NearestOnCurve& nearest) {
   queue_.push_back({nearest, v});
   std::push_heap(queue_.begin(), queue_.end(), IsLater{});
 }
 
-void EdgeWays::start_from_all(double exact, const VertexDistances& known) {
+void EdgePathDistances::start_from_all(double exact, const VertexDistances& known) {
   from_ = exact;
   queue_.clear();
   settled_.clear();
@@ -80,17 +80,17 @@ void EdgeWays::start_from_all(double exact, const VertexDistances& known) {
 
 /// Dijkstra's algorithm from all vertices with exact distances, continued where the last query
 /// stopped.
-NearestOnCurve EdgeWays::search_all(VertexId v, double exact, const VertexDistances& known,
-                                    WorkTally& work) {
+NearestOnCurve EdgePathDistances::search_all(VertexId v, double exact, const VertexDistances& known,
+                                             WorkTally& work) {
   constexpr std::size_t kOfVertex = 8;  // units of work
   if (from_ != exact) start_from_all(exact, known);
   for (;;) {
     if (const auto found = settled_.find(v); found != settled_.end()) return found->second;
     if (queue_.empty()) return NearestOnCurve::none();
-    work.tell();
+    work.report();
     work.add(kOfVertex);
     std::pop_heap(queue_.begin(), queue_.end(), IsLater{});
-    const Way next = queue_.back();
+    const Path next = queue_.back();
     queue_.pop_back();
     if (!settled_.emplace(next.vertex, next.nearest).second) continue;
     for_each_neighbour(*surface_, next.vertex, [&](VertexId w, double length) {
