@@ -62,7 +62,7 @@ class LidChooser {
   LidClearance& clearance_;
   std::function<std::uint32_t(std::uint32_t)> origin_;
   std::span<const CutMesh::Chain> chains_;
-  Asker& asker_;
+  ProgressPoller& poller_;
   std::vector<Twin> made_;  // by number
 
   // State for the rims that are being closed.

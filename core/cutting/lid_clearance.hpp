@@ -37,7 +37,7 @@ class LidClearance {
  public:
   /// `part_of_face`: per face of the piece, its connected part. The piece must outlive the object,
   /// and its faces must not change. O(faces + k log k) for k faces near rims. Searches for contacts
-  /// report their work to `asker`, which must outlive the object, and throw Cancelled.
+  /// report their work to `poller`, which must outlive the object, and throw Cancelled.
   LidClearance(const MeshLists& piece, std::span<const std::uint32_t> part_of_face,
                std::span<const Loop> rims, ProgressPoller& poller);
 

@@ -32,7 +32,7 @@ struct LeftOut {
   std::set<Triangle> triangles;                             ///< corners ascending
   std::size_t whole =
       256;                 ///< largest number of points for which all triangulations are considered
-  Asker* asker = nullptr;  ///< work is reported to it, if not null
+  ProgressPoller* poller = nullptr;  ///< work is reported to it, if not null
 
   [[nodiscard]] bool has(Triangle triangle) const {
     if (triangles.empty()) return false;

@@ -20,7 +20,7 @@ class SplitHistory {
   using Corners = std::array<std::uint32_t, 3>;
 
   /// The history of triangle 0 with the given corners.
-  explicit SplitHistory(const Corners& corners) : ever_{{corners, 0, {}, 0}}, now_{0} {}
+  explicit SplitHistory(const Corners& corners) : triangles_{{corners, 0, {}, 0}}, present_{0} {}
 
   /// Records the division of a triangle into two or three parts, one of which keeps its number.
   void divide(std::uint32_t triangle,
@@ -66,11 +66,11 @@ class SplitHistory {
   struct Triangle {
     Corners corners;
     std::uint32_t triangle;              // its number in the triangulation
-    std::array<std::uint32_t, 3> parts;  // indices in ever_
+    std::array<std::uint32_t, 3> parts;  // indices in triangles_
     std::uint32_t count;                 // of parts; 0 if the triangle exists
   };
-  std::vector<Ever> ever_;
-  std::vector<std::uint32_t> now_;  // per existing triangle, its index in ever_
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> present_;  // per existing triangle, its index in triangles_
 };
 
 }  // namespace talweg

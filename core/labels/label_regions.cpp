@@ -202,7 +202,7 @@ class Follower {
   }
 
  private:
-  /// Joins faces across edges without a chain to components (heaps_), and collects the sides of all
+  /// Joins faces across edges without a chain to components (pieces_), and collects the sides of all
   /// chains.
   void gather() {
     EdgeLists edges(cut_);
@@ -232,7 +232,7 @@ class Follower {
   }
 
   /// Assigns each component to the part that borders the greatest length of its boundary.
-  void name_heaps() {
+  void name_pieces() {
     owner_.assign(cut_.lists.triangles.size(), kNoIndex);
     std::sort(sides_.begin(), sides_.end(), [](const LinkSide& a, const LinkSide& b) {
       return std::tie(a.face, a.part, a.chain) < std::tie(b.face, b.part, b.chain);
@@ -258,7 +258,7 @@ class Follower {
       }
     }
     for (std::uint32_t f = 0; f < owner_.size(); ++f) {  // components without a border
-      std::uint32_t& owner = owner_[heaps_.find(f)];
+      std::uint32_t& owner = owner_[pieces_.find(f)];
       if (owner == kNoIndex) owner = part_before(f);
     }
   }
@@ -322,7 +322,7 @@ class Follower {
   const CutMesh& cut_;
   const RegionParts& drawn_;
   std::span<const LabelBorder> borders_;
-  UnionFind heaps_;
+  UnionFind pieces_;
   std::vector<LinkSide> sides_;       // `face` represents its component
   std::vector<std::uint32_t> owner_;  // the part, per face that represents a component
   std::vector<std::uint32_t> main_;   // per part, the component with the longest border

@@ -24,7 +24,7 @@ constexpr int kMeanHalvings = 10;
 constexpr std::size_t kMostWindows = 2;  // windows of all parts together, per edge of the mesh
 constexpr double kNoLimit = HUGE_VAL;
 constexpr const char* kStage = "measure";
-constexpr std::size_t kOfGuess = 32;  // units of work of Asker
+constexpr std::size_t kOfGuess = 32;  // units of work of ProgressPoller
 
 class Measurement {
  public:

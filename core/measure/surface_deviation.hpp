@@ -83,7 +83,7 @@ class DeviationMeter {
                              const SurfaceCurve& curve);
 
   /// The meter's distance, which callers may use until the next measurement. A caller that sets an
-  /// asker must remove it again.
+  /// poller must remove it again.
   PolylineDistance& distance();
 
  private:

@@ -50,6 +50,6 @@ std::vector<std::vector<Point>> finer_parts(const VertexGraph& graph,
 
 /// Replaces each value by a mean over its surroundings, about three edges wide, by 16 steps of
 /// averaging. O(16 · graph). Throws Cancelled.
-void spread(const VertexGraph& graph, std::vector<double>& values, Asker& asker);
+void spread(const VertexGraph& graph, std::vector<double>& values, ProgressPoller& poller);
 
 }  // namespace talweg

@@ -24,7 +24,7 @@ struct LevelCurve {
 /// level times 1 + 1e-11, up to rounding, so an isoline along edges of the mesh passes just beyond
 /// their vertices. A node closer to a vertex than 1e-9 of the edge is put on the vertex. Only faces
 /// nearer than the level are visited. Memory O(faces + edges), set to zero at once. Throws
-/// Cancelled if the asker of `distance` does.
+/// Cancelled if the poller of `distance` does.
 std::vector<LevelCurve> distance_isoline(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          PolylineDistance& distance, const LevelChoice& choice);

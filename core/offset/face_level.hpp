@@ -40,6 +40,6 @@ struct FaceLevel {
 /// lies in the part. The distance is the least length of a way, and the length of a way is convex,
 /// so crossings of lines are found exactly. Holes and gaps narrower than half the tolerance may be
 /// missed. O(ways into the face) for each part.
-FaceLevel level_in_face(const WaysIntoFace& ways, const FaceRim& rim, const LevelChoice& choice);
+FaceLevel level_in_face(const FacePaths& ways, const FaceRim& rim, const LevelChoice& choice);
 
 }  // namespace talweg

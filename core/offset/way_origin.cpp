@@ -15,7 +15,7 @@ bool ends_on_boundary(const Surface& surface, const SurfacePoint& point) {
 
 /// The side of a segment in the same face on which a point lies: 1 left, -1 right; 0 if the point
 /// lies on the line or is nearest to an end of the segment.
-int side_of_segment(const WaysIntoFace& ways, const PolylinePiece& segment,
+int side_of_segment(const FacePaths& paths, const PolylinePiece& segment,
                     const std::array<double, 3>& b) {
   const PlanePoint p = paths.frames[0].at(segment.from, 0), q = paths.frames[0].at(segment.to, 0);
   const PlanePoint x = paths.frames[0].at(b, 0);
@@ -31,9 +31,9 @@ int side_of(const FacePaths& paths, const FacePaths::Hit& way, const std::array<
 
 /// The shortest way, or an equally short way that begins beside a curve: at a vertex, the way along
 /// an edge is as short as the way through the face.
-WaysIntoFace::Hit sided_hit(const WaysIntoFace& ways, const std::array<double, 3>& b) {
-  const WaysIntoFace::Hit hit = ways.hit(b);
-  if (side_of(ways, hit, b) != 0) return hit;
+FacePaths::Hit sided_hit(const FacePaths& paths, const std::array<double, 3>& b) {
+  const FacePaths::Hit hit = paths.hit(b);
+  if (side_of(paths, hit, b) != 0) return hit;
   const double most =
       hit.nearest.distance + NearestOnCurve::kSame * std::max(hit.nearest.distance, paths.longest);
   for (std::size_t i = 3; i < paths.count(); ++i) {
@@ -58,9 +58,9 @@ WayOrigins::WayOrigins(const Surface& surface, std::span<const SurfaceCurve> cur
 
 WayOrigin WayOrigins::of(const FaceCoordinates& at) const {
   constexpr double kEndPart = 1e-12;  // fraction of the curve
-  const WaysIntoFace& ways = distance_->ways_into(at.face, limit_);
-  const WaysIntoFace::Hit hit = sided_hit(ways, at.barycentric);
-  const int side = side_of(ways, hit, at.barycentric);
+  const FacePaths& paths = distance_->paths_into(at.face, limit_);
+  const FacePaths::Hit hit = sided_hit(paths, at.barycentric);
+  const int side = side_of(paths, hit, at.barycentric);
   const NearestOnCurve& nearest = hit.nearest;
   WayOrigin origin{WayOrigin::Kind::kUnknown, nearest.curve, nearest.arc_length, nearest.distance};
   const double length = distance_->curve_length(nearest.curve);

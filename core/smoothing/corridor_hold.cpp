@@ -33,7 +33,7 @@ constexpr int kHalvings = 8;
 
 /// The distance up to which δ must be exact if rough walls suffice: the faces of the curve lie
 /// within the slack plus one edge.
-double CorridorHold::exact_for_walls() const {
+double CorridorSolver::exact_for_walls() const {
   const std::vector<double>& near = drawing_->drawing().edges_near();
   double exact = 0;
   for (std::size_t c = 0; c < valleys_->size(); ++c) {
@@ -44,7 +44,7 @@ double CorridorHold::exact_for_walls() const {
 }
 
 /// The potential of the valleys. While dragging, all valleys have the tau of the dragged curve.
-Corridor CorridorHold::corridor(const SmoothingOptions& options) const {
+Corridor CorridorSolver::corridor(const SmoothingOptions& options) const {
   std::vector<double> taus;
   for (std::size_t c = 0; c < valleys_->size(); ++c) taus.push_back(options.tau_of(c));
   return {*distance_, taus, *valleys_};
@@ -86,7 +86,7 @@ Straightened CorridorSolver::straighten_lifted(const SmoothingOptions& options,
   const std::size_t own = drawing_->surface().vertex_count();
   const auto metric = [&](VertexId p, VertexId q, double length) {
     const auto at = [&](VertexId v) {  // φ = 0 at inserted vertices: they lie on the drawing
-      return v.index() < own ? corridor.at_vertex_roughly(v, exact, exactly)
+      return v.index() < own ? corridor.at_vertex_bounded(v, exact, exactly)
                              : std::array<double, 2>{0, 0};
     };
     return lifted_length(length, at(p), at(q));
@@ -103,7 +103,7 @@ Straightened CorridorSolver::straighten_flat(const SmoothingOptions& options,
 
 /// Whether the lift would change an edge length that the straightening has used. The lengths of
 /// ways along edges from the drawing bound the distances of these edges.
-bool CorridorHold::is_felt(const Corridor& corridor, const Straightened& flat,
+bool CorridorSolver::is_felt(const Corridor& corridor, const Straightened& flat,
                            const Progress& progress) const {
   const TouchedEdges edges =
       touched_edges(drawing_->surface(), flat.touched, drawing_->drawing().curves(), progress);
@@ -132,7 +132,7 @@ std::optional<Straightened> CorridorSolver::unlifted(const SmoothingOptions& opt
 }
 
 /// Whether straightening has lost nearly all of an open curve, because its ends are close together.
-bool CorridorHold::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
+bool CorridorSolver::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
                                 std::size_t curve) const {
   constexpr double kLost = 0.25;  // fraction of the drawing's length
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
@@ -184,7 +184,7 @@ std::vector<FairGroup> CorridorSolver::groups(const SmoothingOptions& options) c
 }
 
 /// The trace of a start curve for fairing.
-CurveTrace CorridorHold::traced(const SurfaceCurve& curve,
+CurveTrace CorridorSolver::traced(const SurfaceCurve& curve,
                                 std::span<const SurfacePoint> fixed) const {
   CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
   trace.set_corners(drawing_->corners());
@@ -353,10 +353,10 @@ std::optional<SurfaceCurve> CorridorSolver::fair(double tau, const SurfaceCurve&
 }
 
 /// The result in a band too narrow for fairing: the taut curve; but the drawing if it turns less,
-/// or if the taut curve is beyond the walls of a given slack.
-const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
-                                                 const SurfaceCurve& taut, Asker& asker) {
-  const AskedDuring asked(*distance_, asker);
+/// or if the taut curve is beyond the walls of a slack_from_options slack.
+const SurfaceCurve& CorridorSolver::in_narrow_band(double tau, std::size_t curve,
+                                                 const SurfaceCurve& taut, ProgressPoller& poller) {
+  const AskedDuring asked(*distance_, poller);
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   const auto turning = [&](const SurfaceCurve& c) {
     return measure_curve(drawing_->surface(), c).total_curvature;
@@ -374,7 +374,7 @@ const SurfaceCurve& CorridorHold::in_narrow_band(double tau, std::size_t curve,
 
 /// Whether the slack is less than an eighth of an edge: such a band has room for straight lines
 /// only.
-bool CorridorHold::is_narrow(std::size_t curve) const {
+bool CorridorSolver::is_narrow(std::size_t curve) const {
   return largest_slack((*valleys_)[curve]) < kLeastSlack * drawing_->drawing().edges_near()[curve];
 }
 

@@ -31,7 +31,7 @@ using TautCurves = std::function<const Straightened&()>;
 /// The steps of the corridor's method, each for one drawing, its valleys and one tau. Refers to the
 /// constructor's arguments; the memory's distance must be set to the curves of the valleys. All
 /// functions throw Cancelled. A function costs the Straightening or CurveFairing that it runs.
-class CorridorHold {
+class CorridorSolver {
  public:
   CorridorSolver(EmbeddedDrawing& drawing, SmoothingMemory& memory,
                  const std::vector<Corridor::Valley>& valleys)
@@ -55,7 +55,7 @@ class CorridorHold {
   /// vertices only, so a loop without a vertex inside collapses for any tau. Fairing evaluates the
   /// distance everywhere, so it can start from the drawing. Applies to curves with is_faired()
   /// only.
-  void hold_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
+  void reset_lost_curves(const SmoothingOptions& options, Straightened& straight) const;
   /// Whether a curve is faired: its finish is kFair and tau > 0.
   [[nodiscard]] static bool is_faired(const SmoothingOptions& options, std::size_t curve) {
     return options.finish_of(curve) == Finish::kFair && options.tau_of(curve) > 0;
@@ -72,11 +72,11 @@ class CorridorHold {
                                        const SampleChain& chain, SampleTrail& trail,
                                        const Progress& progress);
   /// Whether the curve of a chain is between the walls.
-  bool stands(const FairGroup& group, const Taus& taus, const SampleChain& chain,
+  bool keeps_within_walls(const FairGroup& group, const Taus& taus, const SampleChain& chain,
               const Progress& progress);
   /// The chain with new samples, if the samples are too uneven for the continuation to another tau;
   /// else empty.
-  std::optional<SampleChain> evened(const FairGroup& group, const Taus& taus,
+  std::optional<SampleChain> resampled(const FairGroup& group, const Taus& taus,
                                     const SampleChain& chain, const Progress& progress);
   /// A chain, and the tau values of its curves.
   struct AtTaus {

@@ -14,24 +14,24 @@ namespace talweg {
 namespace {
 
 /// Smooths without the ladder: the result depends on this tau only.
-Smoothed smooth_for_itself(CorridorHold& hold, const SmoothingOptions& options,
+DomainResult smooth_for_itself(CorridorSolver& solver, const SmoothingOptions& options,
                            const Progress& progress) {
   std::optional<Straightened> flat;
   const std::size_t curves = solver.drawing().drawing().curves().size();
   bool free = true;
   for (std::size_t c = 0; c < curves; ++c) free = free && options.tau_of(c) == 0;
-  if (free || !hold.drawing().any_legs()) flat = hold.unlifted(options, progress);
+  if (free || !solver.drawing().any_legs()) flat = solver.unlifted(options, progress);
   // A curve with tau < kLeastHeldTau, or that is not faired, may climb walls anywhere.
-  const std::vector walls(hold.valleys().size(), CorridorHold::Walls::kExact);
-  Straightened straight = flat ? *flat : hold.straighten(options, walls, progress);
+  const std::vector walls(solver.valleys().size(), CorridorSolver::Walls::kExact);
+  Straightened straight = flat ? *flat : solver.straighten(options, walls, progress);
   Stopwatch watch;
   relax(solver.drawing().mesh(), straight.curves, {options.relax_rounds, solver.drawing().fixed()},
         progress);
   straight.time_ms.relax = watch.lap();
   // Curves without an effective lift are straight already.
-  if (flat) return smoothed_from(std::move(straight));
-  hold.hold_lost_curves(options, straight);
-  const std::vector<FairGroup> groups = hold.groups(options);
+  if (flat) return domain_result_from(std::move(straight));
+  solver.reset_lost_curves(options, straight);
+  const std::vector<FairGroup> groups = solver.groups(options);
   const TautCurves taut = [&]() -> const Straightened& { return straight; };
   FairChains chains(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {

@@ -35,10 +35,10 @@ class CorridorMethod {
   /// Per curve, before options change it.
   [[nodiscard]] const std::vector<Corridor::Valley>& valleys() const { return valleys_; }
 
-  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(const SmoothingOptions& options, const Progress& progress);
   /// Like smooth(), but in the valleys of set() or solve(), without the slack and turns of the
   /// options.
-  Smoothed smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
   /// The straightened curves for these options, in the valleys of set() or solve().
   std::vector<SurfaceCurve> taut(const SmoothingOptions& options, const Progress& progress);
   /// CorridorHold::fair() in the valleys of set() or solve().

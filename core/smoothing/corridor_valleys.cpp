@@ -62,7 +62,7 @@ std::vector<Corridor::Valley> with_options(std::vector<Corridor::Valley> valleys
     if (const auto slack = options.slack_of(c)) valley.slack = *slack;
     if (!valley.slack_from_options) valley.slack_at = own_field(valley, mesh, drawing, c);
     if (!options.slack_at.empty()) valley.slack_at = options.slack_at[c];
-    if (valley.given) valley.trembling = valley.slack;
+    if (valley.slack_from_options) valley.slack_before_gaps = valley.slack;
     // The phase cannot follow a loop with fewer than eight points per turn.
     const std::size_t most = std::max<std::size_t>(drawing.curves()[c].points.size() / 8, 1);
     valley.turns = std::min(options.phase_turns, static_cast<int>(most));

@@ -120,8 +120,8 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
     set(c, solver_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
     return;
   }
-  if (any_legs && !turns_by(kNoTurn, hold_->drawing().surface(), taut(attempts_[a]).curve,
-                            hold_->drawing().corners())) {  // straight legs are fair
+  if (any_legs && !total_turn_reaches(kNoTurn, solver_->drawing().surface(), taut(attempts_[a]).curve,
+                            solver_->drawing().corners())) {  // straight legs are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
     }
@@ -154,8 +154,8 @@ bool FairFinishing::is_close(const FairGroup& group, const Taus& taus, const Sur
   if (has_legs(solver_->drawing(), group)) return true;
   if (!keeps_within(group, taus, taut)) return false;
   if (*std::min_element(taus.begin(), taus.end()) < kLeastHeldTau) return true;
-  if (hold_->drawing().erases_loops()) return true;  // the short remainder is intended
-  const SurfaceMesh& mesh = hold_->drawing().mesh();
+  if (solver_->drawing().erases_loops()) return true;  // the short remainder is intended
+  const SurfaceMesh& mesh = solver_->drawing().mesh();
   const NearestSegment nearest(segments_of(positions_of(mesh, taut), taut.closed));
   const double far = kFar * solver_->largest_wall(group, taus);
   const std::vector<Point> drawn = positions_of(mesh, group.drawn);
@@ -179,7 +179,7 @@ void FairFinishing::make_fair(std::size_t number) {
     attempt.tries = kBent;
   }
   const FairGroup group = attempt.group;  // a copy: attempts_ may grow
-  const auto curves = parted(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
+  const auto curves = split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;
@@ -298,9 +298,9 @@ bool FairFinishing::is_smooth(Attempt& attempt, const Taus& taus) {
 bool FairFinishing::needs_no_taut(const FairGroup& group, const Taus& taus,
                                   const SurfaceCurve& curve) const {
   constexpr double kHeld = 1.0 / 8;  // times the length
-  const EmbeddedDrawing& drawing = hold_->drawing();
-  return hold_->largest_wall(group, taus) <= kHeld * group.length &&
-         is_gentle(drawing.surface(), curve, drawing.corners(), group.edge);
+  const EmbeddedDrawing& drawing = solver_->drawing();
+  return solver_->largest_wall(group, taus) <= kHeld * group.length &&
+         is_clearly_fair(drawing.surface(), curve, drawing.corners(), group.edge);
 }
 
 /// The fair curve of the next try: from the chain, then from the taut curve, then from the drawing

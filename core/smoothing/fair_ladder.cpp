@@ -120,7 +120,7 @@ void FairLadder::keep_for(const CorridorSolver& solver, const SmoothingOptions& 
   rungs_.resize(groups_.size());
 }
 
-Smoothed FairLadder::smooth(CorridorHold& hold, const SmoothingOptions& options,
+DomainResult FairLadder::smooth(CorridorSolver& solver, const SmoothingOptions& options,
                             const Progress& progress) {
   const bool whole = options.prepare_whole_mesh;  // its report has other counts
   if (whole) clear();

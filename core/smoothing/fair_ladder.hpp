@@ -27,13 +27,13 @@ class FairLadder {
   static std::optional<double> rung_of(const SmoothingOptions& options, std::size_t curve);
 
   /// The straightened curves of the ladder: curves with a rung are straightened at tau = 1.
-  static Straightened straightened(CorridorHold& hold, const SmoothingOptions& options,
+  static Straightened straightened(CorridorSolver& solver, const SmoothingOptions& options,
                                    const Progress& progress);
 
   void clear();
   /// The result for options with a rung for some curve. The rungs are kept for later calls with the
   /// same Setting. Throws Cancelled.
-  Smoothed smooth(CorridorHold& hold, const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(CorridorSolver& solver, const SmoothingOptions& options, const Progress& progress);
 
  private:
   struct Rung {

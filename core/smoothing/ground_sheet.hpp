@@ -14,7 +14,7 @@ namespace talweg {
 /// mesh's smooth_ground(), which has the same faces; the result has the same barycentric
 /// coordinates on the mesh. Taut curves, and curves in a given potential, are smoothed on the mesh
 /// itself. Deviations are measured on the mesh. Only for the corridor.
-class GroundSheet final : public Sheet {
+class GroundDomain final : public SmoothingDomain {
  public:
   GroundDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
                const Progress& progress);
@@ -33,8 +33,8 @@ class GroundSheet final : public Sheet {
   const OrderedDrawing* drawing_;
   CurveOptions options_;
   OrderedDrawing there_;             // the drawing as curves on the ground
-  std::unique_ptr<Sheet> ground_;    // the sheet on the ground
-  std::unique_ptr<Sheet> as_it_is_;  // on the mesh; made on first use
+  std::unique_ptr<SmoothingDomain> ground_;    // the sheet on the ground
+  std::unique_ptr<SmoothingDomain> as_it_is_;  // on the mesh; made on first use
   double solve_ms_ = 0;
 };
 

@@ -20,7 +20,7 @@ struct GivenPotential {
 };
 
 /// Straightens the curves in a given potential, and relaxes them. Throws Cancelled.
-Smoothed smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
+DomainResult smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
                    const SmoothingOptions& options, const Progress& progress);
 
 /// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance of the heat method
@@ -38,7 +38,7 @@ class PaperMethod {
   [[nodiscard]] const PaperLift& lift() const { return lift_; }
 
   /// Smooths the curves; needs no distance at tau = 0. Throws Cancelled.
-  Smoothed smooth(const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(const SmoothingOptions& options, const Progress& progress);
 
  private:
   EmbeddedDrawing* drawing_;

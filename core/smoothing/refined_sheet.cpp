@@ -63,7 +63,7 @@ RefinedDomain::RefinedDomain(const SurfaceMesh& mesh, const OrderedDrawing& draw
 }
 
 /// The largest distance of a result from the drawing for tau >= 1/8, mesh units.
-double RefinedSheet::reach() const {
+double RefinedDomain::reach() const {
   double reach = 0;
   for (std::size_t c = 0; c < drawing_->curves().size(); ++c) {
     reach =
@@ -142,7 +142,7 @@ DomainResult RefinedDomain::smooth(const SmoothingOptions& options, const GivenP
 }
 
 /// The result in the order of the drawing, on the refined part.
-Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& options,
+DomainResult RefinedDomain::smooth_on(const Part& part, const SmoothingOptions& options,
                                  const GivenPotential* given, const Progress& progress) {
   SmoothingOptions own = options;
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
@@ -158,7 +158,7 @@ Smoothed RefinedSheet::smooth_on(const Part& part, const SmoothingOptions& optio
 }
 
 /// The slack along the curve on the refined part, linear between the points of the drawing.
-std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
+std::vector<double> RefinedDomain::slack_on(const Part& part, std::size_t curve,
                                            const std::vector<double>& drawn) const {
   const std::size_t n = drawing_->curves()[curve].points.size();
   std::vector<double> result;
@@ -171,7 +171,7 @@ std::vector<double> RefinedSheet::slack_on(const Part& part, std::size_t curve,
 }
 
 /// The result, converted to the mesh.
-Smoothed RefinedSheet::coarse(const Part& part, Smoothed smoothed) const {
+DomainResult RefinedDomain::coarse(const Part& part, DomainResult smoothed) const {
   const Surface& fine = part.memory->surface();
   for (CurveResult& curve : smoothed.curves) {
     curve.curve = part.mesh.coarse(fine, mesh_->surface(), curve.curve);

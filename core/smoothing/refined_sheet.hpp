@@ -19,10 +19,10 @@ std::vector<FaceId> faces_to_divide(const SurfaceMesh& mesh, const OrderedDrawin
 /// of the mesh, always starting with the first part, until it does not touch the boundary where its
 /// part was cut off. The cost is that of the touched part, and the result equals that on the whole
 /// mesh.
-class RefinedSheet final : public Sheet {
+class RefinedDomain final : public SmoothingDomain {
  public:
   /// Divides the faces, and embeds the drawing in the refined part.
-  RefinedSheet(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
+  RefinedDomain(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
                const Progress& progress);
 
   DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,

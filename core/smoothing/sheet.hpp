@@ -20,7 +20,7 @@ namespace talweg {
 /// Converts a drawing from its mesh to the sheet, smooths it there, and converts results back.
 /// Arguments and results are on the mesh, in the drawing's order. Every non-const function throws
 /// Cancelled; set_pins() must then be called again.
-class Sheet {
+class SmoothingDomain {
  public:
   SmoothingDomain() = default;
   virtual ~SmoothingDomain() = default;
@@ -28,7 +28,7 @@ class Sheet {
   SmoothingDomain& operator=(const SmoothingDomain&) = delete;
 
   /// `given`: a potential on the mesh that replaces the method's potential; null for none.
-  virtual Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+  virtual DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                           const Progress& progress) = 0;
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
   /// Per curve, the corridor's default slack, mesh units; empty for the paper's method.
@@ -64,6 +64,6 @@ inline CurveOptions options_there(const CurveOptions& options, const PointCopies
 
 /// Whether a result might continue beyond a part of the surface that was cut off at the vertices
 /// `at_cut`. O(points).
-bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const Smoothed& result);
+bool may_leave(const std::vector<bool>& at_cut, const Surface& part, const DomainResult& result);
 
 }  // namespace talweg

@@ -19,7 +19,7 @@ std::unique_ptr<SmoothingDomain> domain_for(SmoothingMemory& memory, const Order
   return domain_on(memory, drawing, options, std::move(distance), progress);
 }
 
-std::unique_ptr<Sheet> sheet_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
+std::unique_ptr<SmoothingDomain> domain_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                 const CurveOptions& options,
                                 std::optional<std::vector<double>> distance,
                                 const Progress& progress) {

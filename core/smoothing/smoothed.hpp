@@ -28,7 +28,7 @@ struct CurveResult {
 };
 
 struct Smoothed {
-  std::vector<SmoothedCurve> curves;  ///< one per curve of the drawing, in order
+  std::vector<CurveResult> curves;  ///< one per curve of the drawing, in order
   PotentialKind potential = PotentialKind::kPaper;
   Engine engine = Engine::kFull;
   StraighteningCounts counts;

@@ -14,7 +14,7 @@ namespace talweg {
 /// (EmbeddedDrawing::Ground), or null. `distance`: a given paper's distance per mesh vertex, used
 /// unchanged. The sheet refers to the memory and the drawing. Throws as embed_curves() does, and
 /// Cancelled. Cost: embedding and path_contacts(), plus unrolling and embedding again if needed.
-std::unique_ptr<Sheet> undivided_sheet_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
+std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                            const CurveOptions& options,
                                            const std::vector<bool>* fence,
                                            std::optional<std::vector<double>> distance,

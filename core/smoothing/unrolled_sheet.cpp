@@ -58,7 +58,7 @@ UnrolledDomain::UnrolledDomain(SmoothingMemory& memory, const OrderedDrawing& dr
 /// faces. Later strips have twice the reach each, until a result stays inside. For tau < 1/8 a
 /// result may be anywhere, and exact distances cost far more than the strips, so the number of
 /// faces is limited; the limit is larger if all curves are legs, which need no distances.
-void UnrolledSheet::set_reach() {
+void UnrolledDomain::set_reach() {
   constexpr double kOfSlack = 2, kOfEdge = 6;
   const Surface& surface = memory_->surface();
   bool all_free = true;
@@ -93,7 +93,7 @@ std::unique_ptr<UnrolledDomain::Strips> UnrolledDomain::laid_strips(
 }
 
 /// Opens the rings whose ends were on a spike that has been erased. Tells whether there are any.
-bool UnrolledSheet::open_lost_rings(Strips& strips) const {
+bool UnrolledDomain::open_lost_rings(Strips& strips) const {
   const Straightening& straightening = strips.memory->straightening();
   bool any = false;
   for (std::size_t c = 0; c < strips.is_ring.size(); ++c) {
@@ -160,7 +160,7 @@ SmoothingOptions UnrolledDomain::options_on(const Strips& strips, SmoothingOptio
 }
 
 /// Results on the strips with rings opened again at their ends.
-Smoothed UnrolledSheet::opened(const Strips& strips, Smoothed smoothed) {
+DomainResult UnrolledDomain::opened(const Strips& strips, DomainResult smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     if (!strips.is_ring[c]) continue;
     SurfaceCurve& curve = smoothed.curves[c].curve;
@@ -183,7 +183,7 @@ std::vector<double> UnrolledDomain::copies_of(const Strips& strips, const GivenP
 }
 
 /// The copies of the drawing's points on the strips.
-PointCopies UnrolledSheet::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
+PointCopies UnrolledDomain::copies_on(const Strips& strips, std::span<const SurfaceCurve> curves) {
   PointCopies copies;
   for (std::size_t c = 0; c < strips.drawn.size(); ++c) {
     const std::vector<SurfacePoint>& drawn = strips.drawn[c].points;
@@ -211,7 +211,7 @@ DomainResult UnrolledDomain::smooth(const SmoothingOptions& options, const Given
     const Strips& strips = *strips_[k];
     SmoothingOptions own = options_on(strips, options);
     own.prepare_whole_mesh = false;  // only touched faces matter
-    Smoothed result = curves_on(strips, own, given, progress);
+    DomainResult result = curves_on(strips, own, given, progress);
     const bool leaves = may_leave(strips.mesh.at_cut, strips.memory->surface(), result);
     const auto may_grow_to = [&](std::size_t faces) {
       return strips.mesh.may_grow && strips.mesh.faces_of_strips <= faces;
@@ -229,9 +229,9 @@ DomainResult UnrolledDomain::smooth(const SmoothingOptions& options, const Given
 }
 
 /// The result on the strips, without its deviation.
-Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& options,
+DomainResult UnrolledDomain::curves_on(const Strips& strips, const SmoothingOptions& options,
                                   const GivenPotential* given, const Progress& progress) {
-  if (given == nullptr) return strips.sheet->curves(options, nullptr, progress);
+  if (given == nullptr) return strips.domain->curves(options, nullptr, progress);
   const std::vector<double> values = copies_of(strips, *given);
   const GivenPotential there{values, given->components};
   return strips.domain->curves(options, &there, progress);
@@ -239,7 +239,7 @@ Smoothed UnrolledSheet::curves_on(const Strips& strips, const SmoothingOptions& 
 
 /// Replaces a deviation beyond UnrolledMesh::near by bounds: the distance could be shorter on
 /// strips with a longer reach. Tells whether there is any.
-bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
+bool UnrolledDomain::bound_deviation(const Strips& strips, DomainResult& result) {
   bool any = false;
   for (CurveResult& curve : result.curves) {
     MeasuredDeviation& deviation = curve.deviation;
@@ -254,7 +254,7 @@ bool UnrolledSheet::bound_deviation(const Strips& strips, Smoothed& result) {
 }
 
 /// Options of the paper's method with L of the whole mesh.
-SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& options) const {
+SmoothingOptions UnrolledDomain::with_length_of_mesh(const SmoothingOptions& options) const {
   double drawn_length = 0;
   for (const CurveMeasures& m : drawing_->measures()) drawn_length += m.length;
   double length = 0;
@@ -270,7 +270,7 @@ SmoothingOptions UnrolledSheet::with_length_of_mesh(const SmoothingOptions& opti
 }
 
 /// A sentence for each pin that no result passes, because it is on a spike or loop that was erased.
-std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) const {
+std::vector<std::string> UnrolledDomain::lost_pins(const DomainResult& smoothed) const {
   const Surface& surface = memory_->surface();
   std::vector<std::string> sentences;
   std::vector<SurfacePoint> pins = options_.pins;
@@ -302,7 +302,7 @@ std::vector<std::string> UnrolledSheet::lost_pins(const Smoothed& smoothed) cons
 }
 
 /// Converts results from the strips to the mesh.
-Smoothed UnrolledSheet::folded(const Strips& strips, Smoothed smoothed, const Progress& progress) {
+DomainResult UnrolledDomain::folded(const Strips& strips, DomainResult smoothed, const Progress& progress) {
   smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
   for (CurveResult& curve : smoothed.curves) {

@@ -18,13 +18,13 @@ namespace talweg {
 /// Curves are smoothed separately. The corridor's distance is to the curve's own part on its strip;
 /// the paper's distance is the distance on the mesh. In the corridor, an open curve that ends at
 /// its first point (a ring) is smoothed as a closed curve that is pinned there, so that it closes
-/// without a kink. Cost: WholeSheet on strips of doubled reach, until the result does not leave the
+/// without a kink. Cost: MeshDomain on strips of doubled reach, until the result does not leave the
 /// strips. Lost pins are compared with all points of the results.
-class UnrolledSheet final : public Sheet {
+class UnrolledDomain final : public SmoothingDomain {
  public:
   /// Clears the memory's straightening, in which the drawing must be embedded. `alone`: per curve,
   /// whether it needs a separate strip. `distance`: for the paper's method, if given.
-  UnrolledSheet(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
+  UnrolledDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
                 const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
                 const Progress& progress);
 

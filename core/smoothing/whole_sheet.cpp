@@ -78,7 +78,7 @@ DomainResult MeshDomain::smooth(const SmoothingOptions& options, const GivenPote
   return result;
 }
 
-Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotential* given,
+DomainResult MeshDomain::curves(const SmoothingOptions& options, const GivenPotential* given,
                             const Progress& progress) {
   // A given potential has no effect on crossing legs, which are never straightened together.
   const bool lifted = given != nullptr && !drawing_.may_cross();
@@ -98,7 +98,7 @@ Smoothed WholeSheet::curves(const SmoothingOptions& options, const GivenPotentia
 }
 
 /// Warns if the distance was exact only within less than the slack.
-void WholeSheet::warn_of_upper_bounds(Smoothed& result) const {
+void MeshDomain::warn_of_upper_bounds(DomainResult& result) const {
   const double exact = memory_->distance().exact_within();
   double slack = 0;
   for (const CurveResult& curve : result.curves) slack = std::max(slack, curve.slack);

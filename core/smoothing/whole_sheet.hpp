@@ -13,7 +13,7 @@
 namespace talweg {
 
 /// Smooths a drawing on the mesh itself. Cost: its method, and measuring of the deviation.
-class WholeSheet final : public Sheet {
+class MeshDomain final : public SmoothingDomain {
  public:
   /// Embeds the drawing; solve() or set_distance() must be called next.
   MeshDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, const CurveOptions& options,
@@ -27,12 +27,12 @@ class WholeSheet final : public Sheet {
   /// Sets a distance for the paper's method, checked by PaperLift::check().
   void set_distance(std::vector<double> distance);
 
-  Smoothed smooth(const SmoothingOptions& options, const GivenPotential* given,
+  DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                   const Progress& progress) override;
   /// The two parts of smooth(): the curves, and their deviation.
-  Smoothed curves(const SmoothingOptions& options, const GivenPotential* given,
+  DomainResult curves(const SmoothingOptions& options, const GivenPotential* given,
                   const Progress& progress);
-  void measure(const SmoothingOptions& options, Smoothed& smoothed, const Progress& progress);
+  void measure(const SmoothingOptions& options, DomainResult& smoothed, const Progress& progress);
 
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;
   [[nodiscard]] std::vector<double> slack() const override;

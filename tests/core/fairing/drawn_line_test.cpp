@@ -89,12 +89,12 @@ TEST(DrawnBand, APlaceNearerToAnotherStrandDoesNotBelongToTheStrand) {
     return band.at(SurfacePoint::at_vertex(grid.opened->surface(), at(column, row)));
   };
   EXPECT_NEAR(place(10, 9).arc, 5, 1e-12);
-  EXPECT_TRUE(band.is_own(place(10, 9), 5));
-  EXPECT_TRUE(band.is_own(place(10, 9), 6));
-  EXPECT_FALSE(band.is_own(place(10, 13), 5));  // on the strand above, within both walls
-  EXPECT_TRUE(band.is_own(place(10, 13), 37));
-  EXPECT_TRUE(band.cuts_off(15, 27));  // the tip
-  EXPECT_FALSE(band.cuts_off(0, 20));
+  EXPECT_TRUE(band.is_same_strand(place(10, 9), 5));
+  EXPECT_TRUE(band.is_same_strand(place(10, 9), 6));
+  EXPECT_FALSE(band.is_same_strand(place(10, 13), 5));  // on the strand above, within both walls
+  EXPECT_TRUE(band.is_same_strand(place(10, 13), 37));
+  EXPECT_TRUE(band.chord_cuts_off(15, 27));  // the tip
+  EXPECT_FALSE(band.chord_cuts_off(0, 20));
 }
 
 TEST(DrawnBand, CurvesThatContinueEachOtherAreMeasuredAlongOneLine) {

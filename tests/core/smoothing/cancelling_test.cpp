@@ -73,7 +73,7 @@ TEST(Asking, ADistanceIsAskedInProportionToItsWindows) {
   distance.reach(1000);
   ASSERT_GT(distance.window_count(), 200'000U);
   // A window costs at least four units of work when it spreads; a few hidden windows do not spread.
-  EXPECT_GE(answers.asked(), 3 * distance.window_count() / Asker::kEvery);
+  EXPECT_GE(answers.asked(), 3 * distance.window_count() / ProgressPoller::kEvery);
 }
 
 TEST(Asking, EveryStageOfTheDefaultPathAsks) {
@@ -91,7 +91,7 @@ TEST(Asking, EveryStageOfTheDefaultPathAsks) {
     EXPECT_GE(smoothing.of(stage), 1U) << stage;
   }
   // Fairing moves every sample in at least two rounds on either level.
-  EXPECT_GE(smoothing.of("fair"), 4 * drawn.points.size() / Asker::kEvery);
+  EXPECT_GE(smoothing.of("fair"), 4 * drawn.points.size() / ProgressPoller::kEvery);
   // The rung at tau = 1 is kept; the next rung and the deviation are computed.
   options.tau = 1.01;
   smoother.smooth(options, again.progress());

@@ -1,5 +1,5 @@
 // Paths along the edges of grids to vertices with given distances.
-#include "talweg/intrinsic/exact_distance/edge_ways.hpp"
+#include "talweg/intrinsic/exact_distance/edge_path_distances.hpp"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-TEST(EdgeWays, LeadToTheBestVertexWithinTheLimit) {
+TEST(EdgePathDistances, LeadToTheBestVertexWithinTheLimit) {
   const Surface surface = test::surface_of(test::grid(3, 3));
   const auto id = [](std::size_t i, std::size_t j) { return VertexId{i + 4 * j}; };
   VertexDistances known(surface.vertex_count());
@@ -50,7 +50,7 @@ TEST(EdgePathDistances, LeadAcrossManyVertices) {
   EXPECT_NEAR(ways.shortest(VertexId{(n + 1) * n + n}, 0, known, work).distance, n, 1e-12);
 }
 
-TEST(EdgeWays, AreInfiniteWithoutKnownVertices) {
+TEST(EdgePathDistances, AreInfiniteWithoutKnownVertices) {
   test::TestMesh mesh = test::grid(3, 3);
   mesh.points.push_back({9, 9, 9});
   const Surface surface = test::surface_of(mesh);
@@ -61,7 +61,7 @@ TEST(EdgeWays, AreInfiniteWithoutKnownVertices) {
   EXPECT_TRUE(std::isinf(ways.shortest(VertexId{16}, 1, known, work).distance));
 }
 
-TEST(EdgeWays, CountTheirWorkAndContinue) {
+TEST(EdgePathDistances, CountTheirWorkAndContinue) {
   constexpr std::size_t n = 60;
   const Surface surface = test::surface_of(test::grid(n, n));
   VertexDistances known(surface.vertex_count());

@@ -1,6 +1,6 @@
 // The shortest way to a point of one face, half of the unit square with the corners (0, 0), (1, 0)
 // and (1, 1), and its slopes; and copies of faces.
-#include "talweg/intrinsic/exact_distance/ways_into_face.hpp"
+#include "talweg/intrinsic/exact_distance/face_paths.hpp"
 
 #include <cmath>
 
@@ -30,8 +30,8 @@ class PathsIntoAFace : public testing::Test {
   const PlanePoint right_{1, 0}, up_{0, 1};
 };
 
-TEST_F(WaysIntoAFace, AreInfiniteAtFirst) {
-  EXPECT_TRUE(std::isinf(ways_.hit(at_).nearest.distance));
+TEST_F(PathsIntoAFace, AreInfiniteAtFirst) {
+  EXPECT_TRUE(std::isinf(paths_.hit(at_).nearest.distance));
 }
 
 TEST_F(PathsIntoAFace, ComeFromCorners) {
@@ -64,12 +64,12 @@ TEST_F(PathsIntoAFace, AreCounted) {
   EXPECT_EQ(paths_.path(4, at_).segment, &piece);
 }
 
-TEST_F(WaysIntoAFace, ComeThroughWindows) {
+TEST_F(PathsIntoAFace, ComeThroughWindows) {
   // A window from (0.25, -1) through the whole base.
-  const LedIn led_in{test::window_from(0.25, -1, 0, 1), 1, 0, true};
-  ways_.windows = {&led_in, 1};
-  ways_.corners[1] = {5, 0, 0};
-  const auto hit = ways_.hit(at_);
+  const LedIn entering{test::window_from(0.25, -1, 0, 1), 1, 0, true};
+  paths_.windows = {&entering, 1};
+  paths_.corners[1] = {5, 0, 0};
+  const auto hit = paths_.hit(at_);
   const double way = std::hypot(0.5, 1.5);
   EXPECT_EQ(hit.window, &entering);
   EXPECT_NEAR(hit.nearest.distance, way, 1e-15);
@@ -77,11 +77,11 @@ TEST_F(WaysIntoAFace, ComeThroughWindows) {
   EXPECT_NEAR(paths_.slopes(hit, at_, up_).distance, 1.5 / way, 1e-15);
 }
 
-TEST_F(WaysIntoAFace, ComeThroughWindowsThatRunAgainstTheSide) {
+TEST_F(PathsIntoAFace, ComeThroughWindowsThatRunAgainstTheSide) {
   // The same window, turned: the face is below the edge.
-  const LedIn led_in{test::window_from(0.25, -1, 0, 1).turned(1), 1, 0, false};
-  ways_.windows = {&led_in, 1};
-  const auto hit = ways_.hit(at_);
+  const LedIn entering{test::window_from(0.25, -1, 0, 1).turned(1), 1, 0, false};
+  paths_.windows = {&entering, 1};
+  const auto hit = paths_.hit(at_);
   const double way = std::hypot(0.5, 1.5);
   EXPECT_NEAR(hit.nearest.distance, way, 1e-15);
   EXPECT_NEAR(paths_.slopes(hit, at_, right_).distance, 0.5 / way, 1e-15);

@@ -584,8 +584,8 @@ TEST(PolylineDistance, RoughlyIsExactNearbyAndAWayAlongEdgesBeyond) {
   for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
     const VertexId v{i};
     const double distance = exact.at_vertex(v).distance;
-    const auto about = rough.at_vertex_roughly(v, kNear);
-    const auto again = late.at_vertex_roughly(v, kNear);  // after a longer march
+    const auto about = rough.at_vertex_bounded(v, kNear);
+    const auto again = late.at_vertex_bounded(v, kNear);  // after a longer march
     EXPECT_EQ(about.distance, again.distance);
     EXPECT_EQ(about.arc_length, again.arc_length);
     EXPECT_EQ(about.distance, rough.at_vertex_bounded(v, kNear).distance);
@@ -643,7 +643,7 @@ TEST(PolylineDistance, RoughlyIsAWayAlongEdgesHoweverFar) {
     const std::vector<double> expected = along_edges(surface, distances, near);
     for (std::size_t i = 0; i < surface.vertex_count(); ++i) {
       const VertexId v{(i * 997) % surface.vertex_count()};  // far and near vertices alternate
-      EXPECT_NEAR(rough.at_vertex_roughly(v, near).distance, expected[v.index()], 1e-9);
+      EXPECT_NEAR(rough.at_vertex_bounded(v, near).distance, expected[v.index()], 1e-9);
     }
     EXPECT_LT(4 * rough.window_count(), exact.window_count());
   }

@@ -114,7 +114,7 @@ TEST_F(MarchOnAGrid, ContinuesWhereItWasInterrupted) {
   front_.work().set_poller(&poller);
   int interrupted = 0;
   while (!front_.is_done()) {
-    front_.work().add(Asker::kEvery);  // the asker is called at once
+    front_.work().add(ProgressPoller::kEvery);  // the poller is called at once
     try {
       front_.march();
     } catch (const Cancelled&) {
