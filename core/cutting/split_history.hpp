@@ -65,7 +65,7 @@ class SplitHistory {
  private:
   struct Triangle {
     Corners corners;
-    std::uint32_t triangle;              // its number in the triangulation
+    std::uint32_t number;                // in the triangulation
     std::array<std::uint32_t, 3> parts;  // indices in triangles_
     std::uint32_t count;                 // of parts; 0 if the triangle exists
   };

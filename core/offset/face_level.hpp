@@ -39,7 +39,7 @@ struct FaceLevel {
 /// the crossings of its sides are within the tolerance, and no other component of the level set
 /// lies in the part. The distance is the least length of a way, and the length of a way is convex,
 /// so crossings of lines are found exactly. Holes and gaps narrower than half the tolerance may be
-/// missed. O(ways into the face) for each part.
-FaceLevel level_in_face(const FacePaths& ways, const FaceRim& rim, const LevelChoice& choice);
+/// missed. O(paths into the face) for each part.
+FaceLevel level_in_face(const FacePaths& paths, const FaceRim& rim, const LevelChoice& choice);
 
 }  // namespace talweg

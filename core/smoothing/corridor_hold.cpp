@@ -353,10 +353,10 @@ std::optional<SurfaceCurve> CorridorSolver::fair(double tau, const SurfaceCurve&
 }
 
 /// The result in a band too narrow for fairing: the taut curve; but the drawing if it turns less,
-/// or if the taut curve is beyond the walls of a slack_from_options slack.
+/// or if the taut curve is beyond the walls of a given slack.
 const SurfaceCurve& CorridorSolver::in_narrow_band(double tau, std::size_t curve,
                                                  const SurfaceCurve& taut, ProgressPoller& poller) {
-  const AskedDuring asked(*distance_, poller);
+  const ScopedPoller scoped(*distance_, poller);
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   const auto turning = [&](const SurfaceCurve& c) {
     return measure_curve(drawing_->surface(), c).total_curvature;

@@ -1,4 +1,4 @@
-// Smoothed curves carry the values of their report that are known during smoothing only.
+// DomainResult curves carry the values of their report that are known during smoothing only.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ struct CurveResult {
   std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
 };
 
-struct Smoothed {
+struct DomainResult {
   std::vector<CurveResult> curves;  ///< one per curve of the drawing, in order
   PotentialKind potential = PotentialKind::kPaper;
   Engine engine = Engine::kFull;
@@ -44,7 +44,7 @@ struct Smoothed {
 };
 
 /// Copies the counts and times of a straightening to a result.
-inline void report_straightening(const Straightened& straight, Smoothed& smoothed) {
+inline void report_straightening(const Straightened& straight, DomainResult& smoothed) {
   for (std::size_t c = 0; c < straight.paths.size(); ++c) {
     smoothed.curves[c].path = straight.paths[c];
   }
@@ -54,8 +54,8 @@ inline void report_straightening(const Straightened& straight, Smoothed& smoothe
 }
 
 /// The straightened curves as a result.
-inline Smoothed smoothed_from(Straightened straight) {
-  Smoothed smoothed;
+inline DomainResult domain_result_from(Straightened straight) {
+  DomainResult smoothed;
   for (SurfaceCurve& curve : straight.curves) {
     smoothed.curves.emplace_back().curve = std::move(curve);
   }
@@ -63,8 +63,8 @@ inline Smoothed smoothed_from(Straightened straight) {
   return smoothed;
 }
 
-/// Smoothed curves converted to the order and direction of the drawn curves.
-inline Smoothed as_drawn(const OrderedDrawing& drawing, Smoothed smoothed) {
+/// DomainResult curves converted to the order and direction of the drawn curves.
+inline DomainResult as_drawn(const OrderedDrawing& drawing, DomainResult smoothed) {
   for (std::size_t c = 0; c < smoothed.curves.size(); ++c) {
     SurfaceCurve& curve = smoothed.curves[c].curve;
     curve = drawing.in_drawn_direction(c, std::move(curve));
