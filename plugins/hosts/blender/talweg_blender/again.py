@@ -1,8 +1,6 @@
 """A curve object whose values are changed is smoothed again: only the curve changes, and no undo step
 of the mesh is made for it."""
 
-import json
-
 import bpy
 
 from . import beside, colours, curve_object, lengths, outcomes, parameters, sentences, session, settings
@@ -71,7 +69,22 @@ class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
 
 def numbers(context, curve):
     """What is said of the curve that is shown; nothing where there is none yet."""
-    return sentences.of_report(context, json.loads(curve["talweg_report"])) if "talweg_report" in curve else ""
+    values = curve_object.report_of(curve)
+    return sentences.of_report(context, values) if values else ""
+
+
+def icon(curve):
+    """Of its row: whether the curve may be of no use."""
+    return "ERROR" if sentences.decisive_of(curve_object.report_of(curve)) else "CURVE_DATA"
+
+
+def draw_decisive(layout, curve):
+    """First in a panel, before its fields, which may be longer than the sidebar."""
+    lines = sentences.decisive_of(curve_object.report_of(curve))
+    if lines and curve.name not in _wrong:
+        box = layout.box()
+        box.alert = True
+        wrapped.draw(box, lines)
 
 
 def _colours(context, curve):
@@ -85,6 +98,7 @@ def _colours(context, curve):
 def draw(layout, curve):
     """The panel of a curve object."""
     kept = settings.of(curve)
+    draw_decisive(layout, curve)
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = False
@@ -97,7 +111,7 @@ def draw(layout, curve):
     if wrong:
         wrapped.draw(layout, [wrong])
     else:
-        wrapped.draw(layout, sentences.warnings_of(json.loads(curve.get("talweg_report", "{}"))))
+        wrapped.draw(layout, sentences.others_of(curve_object.report_of(curve)))
         wrapped.draw(layout, [numbers(bpy.context, curve)], icon="INFO")
 
 
