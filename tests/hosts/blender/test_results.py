@@ -299,8 +299,9 @@ class Decisive(Results):
     """By what a curve may be of no use is told before the fields, and shown where it is."""
 
     def panel_of(self, curve):
+        bpy.context.view_layer.objects.active = curve
         parts = []
-        again.draw(Layout(parts), curve)
+        panel.VIEW3D_PT_talweg.draw(SimpleNamespace(layout=Layout(parts)), bpy.context)
         return [(part[0], part[1]) for part in parts if part[0] in ("label", "prop")]
 
     def test_a_part_that_is_cut_off(self):
@@ -310,7 +311,11 @@ class Decisive(Results):
         self.assertEqual(again.icon(curve), "ERROR")
         kind, words = self.panel_of(curve)[0]
         self.assertEqual(kind, "label")
-        self.assertTrue(words.startswith("The result cuts off"), words)
+        self.assertTrue(words.startswith("Mesh curve: The result cuts"), words)
+        bpy.context.view_layer.objects.active = self.obj
+        of_mesh = []
+        panel.VIEW3D_PT_talweg.draw(SimpleNamespace(layout=Layout(of_mesh)), bpy.context)
+        self.assertIn(words, [part[1] for part in of_mesh if part[0] == "label"][:1])
         place, = marks.places(curve)
         self.assertLess(np.linalg.norm(u_turn() - place, axis=1).min(), 0.5)
         self.assertGreater(place[0], 35)  # at its bend

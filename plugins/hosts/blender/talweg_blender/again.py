@@ -79,12 +79,12 @@ def icon(curve):
 
 
 def draw_decisive(layout, curve):
-    """First in a panel, before its fields, which may be longer than the sidebar."""
+    """First in the sidebar, before buttons and fields, which may be longer than it is."""
     lines = sentences.decisive_of(curve_object.report_of(curve))
     if lines and curve.name not in _wrong:
         box = layout.box()
         box.alert = True
-        wrapped.draw(box, lines)
+        wrapped.draw(box, [f"{curve.name}: {lines[0]}", *lines[1:]])
 
 
 def _colours(context, curve):
@@ -96,9 +96,8 @@ def _colours(context, curve):
 
 
 def draw(layout, curve):
-    """The panel of a curve object."""
+    """The panel of a curve object, below draw_decisive()."""
     kept = settings.of(curve)
-    draw_decisive(layout, curve)
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = False

@@ -26,6 +26,9 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
     def draw(self, context):
         obj = context.object
         offers.draw(self.layout, obj)
+        told_of = obj if settings.is_kept(obj) else _last_curve(context)
+        if told_of is not None:
+            again.draw_decisive(self.layout, told_of)
         if settings.is_kept(obj):
             _of_curve(self.layout, obj)
         elif obj is None or obj.type != "MESH":
