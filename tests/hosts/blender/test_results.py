@@ -9,8 +9,8 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import curve_object, lengths, operators, operators_of_meshes, panel, parameters, \
-    sentences, session
+from talweg_blender import again, curve_object, lengths, marks, operators, operators_of_meshes, panel, \
+    parameters, sentences, session
 
 import scene
 import support
@@ -273,6 +273,76 @@ class Astray(Results):
         scene_curve("Above", line(10, 3.5))
         self.smooth(bpy.ops.talweg.cut)
         self.assertIn("cut. Above lies up to", self.told)
+
+
+def u_turn():
+    """Along y = 20, and back four units beside it: 75 samples of a hand."""
+    way = np.r_[[(10 + t, 20) for t in range(31)], [(40, 20 + t) for t in range(1, 5)],
+                [(40 - t, 24) for t in range(1, 31)]].astype(float)
+    return np.c_[way, hill(*way.T)]
+
+
+class Layout:
+    """Notes what is put into a panel, in its order."""
+
+    def __init__(self, parts):
+        self.__dict__["parts"] = parts
+
+    def __getattr__(self, name):
+        def put(*given, **named):
+            self.parts.append((name, *given, *named.values()))
+            return Layout(self.parts)
+        return put
+
+
+class Decisive(Results):
+    """By what a curve may be of no use is told before the fields, and shown where it is."""
+
+    def panel_of(self, curve):
+        bpy.context.view_layer.objects.active = curve
+        parts = []
+        panel.VIEW3D_PT_talweg.draw(SimpleNamespace(layout=Layout(parts)), bpy.context)
+        return [(part[0], part[1]) for part in parts if part[0] in ("label", "prop")]
+
+    def test_a_part_that_is_cut_off(self):
+        scene.annotate([u_turn()])
+        self.smooth(use_slack=True, slack=8)
+        curve, = curve_objects()
+        self.assertEqual(again.icon(curve), "ERROR")
+        kind, words = self.panel_of(curve)[0]
+        self.assertEqual(kind, "label")
+        self.assertTrue(words.startswith("Mesh curve: The result cuts"), words)
+        bpy.context.view_layer.objects.active = self.obj
+        of_mesh = []
+        panel.VIEW3D_PT_talweg.draw(SimpleNamespace(layout=Layout(of_mesh)), bpy.context)
+        self.assertIn(words, [part[1] for part in of_mesh if part[0] == "label"][:1])
+        place, = marks.places(curve)
+        self.assertLess(np.linalg.norm(u_turn() - place, axis=1).min(), 0.5)
+        self.assertGreater(place[0], 35)  # at its bend
+        flat = np.diag([1 / 60, 1 / 60, 0, 1])  # the eye far above, 60 units to the right edge
+        ring, = marks.rings([curve], flat, 240, 240)
+        np.testing.assert_allclose(ring.mean(axis=0), (place[:2] / 60 + 1) * 120, atol=1)
+        np.testing.assert_allclose(np.linalg.norm(ring - (place[:2] / 60 + 1) * 120, axis=1), 13, atol=1e-3)
+
+    def test_a_loop_that_collapses(self):
+        turn = np.linspace(0, 2 * np.pi, 30, endpoint=False)
+        x, y = 30 + 2 * np.cos(turn), 30 + 2 * np.sin(turn)
+        scene.annotate([np.c_[x, y, hill(x, y)]])
+        self.smooth(tau=0, ends="closed")
+        curve, = curve_objects()
+        self.assertEqual(again.icon(curve), "ERROR")
+        lines = sentences.decisive_of(curve_object.report_of(curve))
+        self.assertTrue(any("shrinks to a point" in line for line in lines), lines)
+        self.assertEqual(len(marks.places(curve)), len(lines) - 1)  # a collapse has no place
+
+    def test_a_curve_as_it_was_meant(self):
+        scene.annotate([line(10)])
+        self.smooth()
+        curve, = curve_objects()
+        self.assertEqual(again.icon(curve), "CURVE_DATA")
+        self.assertEqual(self.panel_of(curve)[0][0], "prop")
+        self.assertEqual(len(marks.places(curve)), 0)
+        self.assertEqual(marks.rings([curve], np.eye(4), 240, 240), [])
 
 
 def scene_curve(name, positions):

@@ -15,10 +15,12 @@ bl_info = {
     "category": "Mesh",
 }
 
-from . import again, operators, operators_of_meshes, page, panel, session, settings, told  # noqa: E402
+from . import again, marks, offsetting, operators, operators_of_meshes, page, panel, session  # noqa: E402
+from . import settings, told  # noqa: E402
 from .drawing_tool import tool  # noqa: E402
 
-_PARTS = (session, told, settings, page, operators, operators_of_meshes, again, tool, panel)
+_PARTS = (session, told, settings, page, operators, operators_of_meshes, offsetting, again, tool,
+          marks, panel)
 
 
 def register():

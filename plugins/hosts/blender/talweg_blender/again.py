@@ -1,8 +1,6 @@
 """A curve object whose values are changed is smoothed again: only the curve changes, and no undo step
 of the mesh is made for it."""
 
-import json
-
 import bpy
 
 from . import beside, colours, curve_object, lengths, outcomes, parameters, sentences, session, settings
@@ -71,7 +69,22 @@ class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
 
 def numbers(context, curve):
     """What is said of the curve that is shown; nothing where there is none yet."""
-    return sentences.of_report(context, json.loads(curve["talweg_report"])) if "talweg_report" in curve else ""
+    values = curve_object.report_of(curve)
+    return sentences.of_report(context, values) if values else ""
+
+
+def icon(curve):
+    """Of its row: whether the curve may be of no use."""
+    return "ERROR" if sentences.decisive_of(curve_object.report_of(curve)) else "CURVE_DATA"
+
+
+def draw_decisive(layout, curve):
+    """First in the sidebar, before buttons and fields, which may be longer than it is."""
+    lines = sentences.decisive_of(curve_object.report_of(curve))
+    if lines and curve.name not in _wrong:
+        box = layout.box()
+        box.alert = True
+        wrapped.draw(box, [f"{curve.name}: {lines[0]}", *lines[1:]])
 
 
 def _colours(context, curve):
@@ -83,7 +96,7 @@ def _colours(context, curve):
 
 
 def draw(layout, curve):
-    """The panel of a curve object."""
+    """The panel of a curve object, below draw_decisive()."""
     kept = settings.of(curve)
     column = layout.column()
     column.use_property_split = True
@@ -97,7 +110,7 @@ def draw(layout, curve):
     if wrong:
         wrapped.draw(layout, [wrong])
     else:
-        wrapped.draw(layout, sentences.warnings_of(json.loads(curve.get("talweg_report", "{}"))))
+        wrapped.draw(layout, sentences.others_of(curve_object.report_of(curve)))
         wrapped.draw(layout, [numbers(bpy.context, curve)], icon="INFO")
 
 

@@ -48,7 +48,12 @@ def _report_of(result):
             "window_turning_after": r.window_turning_after,
             "deviation_to_drawn_max": r.deviation_to_drawn_max, "farthest": r.farthest,
             "farthest_at_most": r.farthest_at_most, "termination": r.termination,
-            "warnings": list(r.warnings), "decisive": list(r.decisive)}
+            "warnings": list(r.warnings), "decisive": list(r.decisive), "decisive_at": list(r.decisive_at)}
+
+
+def report_of(curve):
+    """By the names of the report; empty where nothing is smoothed yet."""
+    return json.loads(curve.get("talweg_report", "{}"))
 
 
 def of_drawing(context, obj, key):
@@ -61,14 +66,17 @@ def of_drawing(context, obj, key):
     return None
 
 
-def new(context, obj):
-    """An empty one, a child of the mesh's object."""
+def new(context, obj, word="curve"):
+    """An empty one, a child of the mesh's object.
+
+    :param word: follows the name of that object.
+    """
     data = bpy.data.curves.new("Talweg", "CURVE")
     data.dimensions = "3D"
     data.bevel_resolution = 2
     data.use_fill_caps = True
     data.materials.append(_material())
-    made = bpy.data.objects.new(obj.name + " curve", data)
+    made = bpy.data.objects.new(f"{obj.name} {word}", data)
     _collection(context, obj).objects.link(made)
     made.parent = obj  # and no matrix of its own: it follows whatever the mesh does, shear too
     made.color = _COLOUR
@@ -86,6 +94,11 @@ def _collection(context, obj):
     """That of the mesh's object, unless it belongs to another file."""
     own = [one for one in obj.users_collection if one.library is None]
     return own[0] if own else context.scene.collection
+
+
+def write_lines(curve, surface, result):
+    """The curves of a result in an object that is no drawing."""
+    _write(curve.data, result, radius(surface, 1))
 
 
 def write(curve, surface, result):

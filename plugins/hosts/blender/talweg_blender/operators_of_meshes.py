@@ -16,7 +16,8 @@ _CHOICES = {"fixed": "Stay", "free": "Move", "slide": "Slide", "auto": "Automati
             "left": "Left", "right": "Right"}
 
 
-def _choice(plugin, name):
+def choice(plugin, name):
+    """The property of a plugin's choice."""
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.EnumProperty(
         name=_LABELS.get(name, parameter.label), default=parameter.default,
@@ -25,14 +26,16 @@ def _choice(plugin, name):
                zip(parameter.choices, parameter.choice_labels)])
 
 
-def _number(plugin, name, default, low, high, **more):
+def number(plugin, name, default, low, high, **more):
+    """The property of a plugin's number."""
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.FloatProperty(name=parameter.label, description=parameter.doc.rstrip("."),
                                    default=default, min=low, soft_max=high, precision=3, step=10, **more)
 
 
-def _counted(number, word):
-    return f"{number} {word}" + ("" if number == 1 else "s")
+def counted(count, word):
+    """The number with its noun."""
+    return f"{count} {word}" + ("" if count == 1 else "s")
 
 
 class _OnMesh(beside.Beside):
@@ -74,7 +77,7 @@ class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
         with named(drawing.names):
             made, warnings = yield from cutting.cut(obj, arrays, drawing.curves, open=self.open, **how)
         context.tool_settings.mesh_select_mode = (False, True, False)
-        return (_counted(made.report["cut_faces"], "face") + " cut.",
+        return (counted(made.report["cut_faces"], "face") + " cut.",
                 [*drawing.warnings, *warnings, *cutting.of_report(made)])
 
 
@@ -89,14 +92,14 @@ class TALWEG_OT_separate(_OnMesh, bpy.types.Operator):
         with named(drawing.names):
             pieces, warnings = yield from cutting.separate(obj, arrays, drawing.curves, keep=self.keep,
                                                            cap=self.cap, **how)
-        return (f"{_counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.",
+        return (f"{counted(len(pieces), 'object')}: {', '.join(one.name for one in pieces)}.",
                 [*drawing.warnings, *warnings])
 
 
 class _Borders(_OnMesh):
     def steps(self, _context, obj):
         found, warnings = yield from self.smoothed(obj, drawings.MeshArrays(obj.data), **self.values())
-        return _counted(len(found.borders), "border") + ".", [*warnings, *found.report["warnings"]]
+        return counted(len(found.borders), "border") + ".", [*warnings, *found.report["warnings"]]
 
     def values(self):
         how = {"tau": self.tau, "junctions": self.junctions, "ends": self.ends}
@@ -151,10 +154,10 @@ CLASSES = (TALWEG_OT_cut, TALWEG_OT_separate, TALWEG_OT_material_borders, TALWEG
 
 
 def _properties():
-    borders = {"tau": _number("talweg.labels", "tau", 1, 0, 16),
-               "max_deviation": _number("talweg.labels", "max_deviation", 0, 0, 1e30, unit="LENGTH"),
-               "junctions": _choice("talweg.labels", "junctions"),
-               "ends": _choice("talweg.labels", "ends")}
+    borders = {"tau": number("talweg.labels", "tau", 1, 0, 16),
+               "max_deviation": number("talweg.labels", "max_deviation", 0, 0, 1e30, unit="LENGTH"),
+               "junctions": choice("talweg.labels", "junctions"),
+               "ends": choice("talweg.labels", "ends")}
     threshold = bpy.props.FloatProperty(name="Inside from", default=0.5, min=0, max=1, precision=3,
                                         description="Vertices of this weight or more are inside")
     steps = {name: bpy.props.BoolProperty(
@@ -164,7 +167,7 @@ def _properties():
     opened = talweg.plugin("talweg.cut").parameters["open"]
     return {TALWEG_OT_cut: {"open": bpy.props.BoolProperty(
                 name=opened.label, default=False, description=opened.doc.rstrip("."))},
-            TALWEG_OT_separate: {name: _choice("talweg.cut", name) for name in ("keep", "cap")},
+            TALWEG_OT_separate: {name: choice("talweg.cut", name) for name in ("keep", "cap")},
             TALWEG_OT_material_borders: borders,
             TALWEG_OT_group_borders: {"threshold": threshold, **borders}, TALWEG_OT_repair: steps}
 

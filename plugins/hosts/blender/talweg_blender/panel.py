@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import again, offers, operators, operators_of_meshes, page, session, settings, told
+from . import again, offers, offsetting, operators, operators_of_meshes, page, session, settings, told
 from .drawing_tool import tool
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
@@ -10,6 +10,7 @@ OF_DRAWINGS = [operator.bl_idname for operator in operators.CLASSES[1:]]
 OF_CURVES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[:2]]
 OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[2:]]
 DRAW = tool.TALWEG_OT_draw.bl_idname
+OFFSET = offsetting.TALWEG_OT_offset.bl_idname
 INTO_MESH = again.TALWEG_OT_to_mesh.bl_idname
 
 
@@ -25,6 +26,9 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
     def draw(self, context):
         obj = context.object
         offers.draw(self.layout, obj)
+        told_of = obj if settings.is_kept(obj) else _last_curve(context)
+        if told_of is not None:
+            again.draw_decisive(self.layout, told_of)
         if settings.is_kept(obj):
             _of_curve(self.layout, obj)
         elif obj is None or obj.type != "MESH":
@@ -33,7 +37,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             _of_edges(self.layout, obj)
         else:
             _of_mesh(self.layout, obj)
-        told.draw(self.layout, obj)
+        told.draw(self.layout, obj.parent if settings.is_kept(obj) else obj)
 
 
 class VIEW3D_PT_talweg_curve(bpy.types.Panel):
@@ -50,7 +54,7 @@ class VIEW3D_PT_talweg_curve(bpy.types.Panel):
 
     def draw(self, context):
         curve = _last_curve(context)
-        self.layout.label(text=curve.name, icon="CURVE_DATA")
+        self.layout.label(text=curve.name, icon=again.icon(curve))
         again.draw(self.layout, curve)
 
 
@@ -67,6 +71,7 @@ def _of_curve(layout, curve):
         layout.operator(DRAW, text="Edit Curve", icon="GREASEPENCIL")
     again.draw(layout, curve)
     if curve.mode == "OBJECT":
+        layout.operator(OFFSET)
         layout.operator_menu_enum(INTO_MESH, "output")
 
 
@@ -88,7 +93,7 @@ def _of_mesh(layout, obj):
     layout.label(text="Annotate the surface, then:")
     layout.operator(OF_DRAWINGS[0])
     layout.label(text="Select a curve, then this:")
-    for operator in OF_DRAWINGS[1:]:
+    for operator in (*OF_DRAWINGS[1:], OFFSET):
         layout.operator(operator)
     _say_without(layout, obj, "Cuts are")
     for operator in OF_CURVES:
@@ -105,7 +110,7 @@ def _edge_menu(self, _context):
 
 def _object_menu(self, _context):
     self.layout.separator()
-    for operator in (*OF_DRAWINGS, *OF_CURVES, *OF_MESHES):
+    for operator in (*OF_DRAWINGS, OFFSET, *OF_CURVES, *OF_MESHES):
         self.layout.operator(operator)
 
 

@@ -31,10 +31,20 @@ def _apart(context, values):
     return bound if math.isfinite(most) else f"at least {lengths.told(context, least)}"
 
 
+def decisive_of(values):
+    """Those of a report by which the result may be of no use."""
+    return list(values.get("decisive", ()))
+
+
+def others_of(values):
+    """Its other warnings."""
+    decisive = decisive_of(values)
+    return [one for one in values.get("warnings", ()) if one not in decisive]
+
+
 def warnings_of(values):
     """All of a report, those first by which the result may be of no use."""
-    decisive = list(values.get("decisive", ()))
-    return decisive + [one for one in values.get("warnings", ()) if one not in decisive]
+    return decisive_of(values) + others_of(values)
 
 
 def of_result(context, result):

@@ -37,6 +37,7 @@ class Drawn:
         self.as_shown = as_shown
         self.error = ""  # of the last answer
         self.told = ""
+        self.decisive = ""  # by what the result may be of no use
         self.result = None
         ground = Ground(self.place, self._shown)
         if self.is_new:
@@ -99,7 +100,7 @@ class Drawn:
                               self.work.is_dragging, of_lines))
 
     def _empty(self):
-        self.result, self.error, self.told = None, "", ""
+        self.result, self.error, self.told, self.decisive = None, "", "", ""
         self.work.show([], [])
         self.curve.data.splines.clear()
         self.curve.pop("talweg_report", None)
@@ -125,6 +126,7 @@ class Drawn:
             parameters.show_used(settings.of(self.curve), answer.result.total)
         curve_object.write(self.curve, self.place, answer.result)
         self.told = sentences.of_result(bpy.context, answer.result)
+        self.decisive = " ".join(answer.result.total.decisive)
         return True
 
     # ---- The end.
@@ -144,7 +146,8 @@ class Drawn:
         if "talweg_drawing" not in curve:
             curve["talweg_drawing"] = "tool " + curve.name
         self.place.know(curve["talweg_drawing"], self.result)
-        warnings = [*sentences.of_object(obj, self.as_shown), *self.result.total.warnings]
+        warnings = [*self.result.total.decisive, *sentences.of_object(obj, self.as_shown),
+                    *sentences.others_of(vars(self.result.total))]
         if self.output == "CURVE":
             self.close()
             return f"{self.told} Curve: {curve.name}.", warnings

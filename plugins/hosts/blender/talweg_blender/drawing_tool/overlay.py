@@ -29,7 +29,7 @@ class Overlay:
         gpu.state.blend_set("ALPHA")
         for line in work.editor.lines:
             for run in _strokes(line):
-                _polyline(view.project(run))
+                polyline(view.project(run), _LINE, 1.5)
         handles = [handle for handle in work.handles() if _is_seen(work, view, handle)]
         places = [work.editor.lines[line].points[k] for line, k in handles]
         flat = view.project([place.position for place in places])
@@ -61,10 +61,11 @@ def _strokes(line):
         yield np.array(run)
 
 
-def _polyline(flat):
+def polyline(flat, colour, width):
+    """Through pixels; nothing where one of them is behind the eye."""
     if not np.isnan(flat).any():
-        gpu.state.line_width_set(1.5)
-        _batch("LINE_STRIP", flat, _LINE)
+        gpu.state.line_width_set(width)
+        _batch("LINE_STRIP", flat, colour)
         gpu.state.line_width_set(1)
 
 

@@ -187,7 +187,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
     def _tell(self):
         drawn = self._drawn
         tau = drawn.work.editor.state.tau
-        told = drawn.error or drawn.told or "Click way-points, or draw on the surface."
+        told = drawn.error or f"{drawn.decisive} {drawn.told}".strip() or "Click way-points, or draw on the surface."
         waits = "   ..." if drawn.live.is_busy else ""
         self._area.header_text_set(f"Talweg   tau {tau:.3g}   {told}{waits}")
         self._area.tag_redraw()

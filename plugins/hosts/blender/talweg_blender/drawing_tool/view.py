@@ -1,5 +1,7 @@
 """Where things are on the screen, and what is under the mouse."""
 
+from functools import cached_property
+
 import numpy as np
 
 
@@ -13,7 +15,10 @@ class View:
     def __init__(self, matrix, width, height):
         self.matrix = np.array(matrix, float)
         self.half = np.array([width, height], float) / 2
-        self._inverse = np.linalg.inv(self.matrix)
+
+    @cached_property
+    def _inverse(self):
+        return np.linalg.inv(self.matrix)
 
     def project(self, points):
         """(n, 2) pixels; NaN for what is behind the eye."""
