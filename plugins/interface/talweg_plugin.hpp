@@ -413,23 +413,31 @@ class Adapter {
   }
 };
 
-/// The module that talweg_plugin_entry() returns.
-template <class... Plugins>
+/// The module that talweg_plugin_entry() returns, of functions that give its plugins.
+template <const talweg_plugin* (*... plugins)()>
 const talweg_module* module_of() noexcept {
   try {
-    static const talweg_plugin* const plugins[] = {Adapter<Plugins>::plugin()...};
+    static const talweg_plugin* const list[] = {plugins()...};
     static const talweg_module module = {sizeof(talweg_module),  TALWEG_INTERFACE_MAJOR,
                                          TALWEG_INTERFACE_MINOR, 0,
-                                         sizeof...(Plugins),     plugins};
+                                         sizeof...(plugins),     list};
     return &module;
   } catch (...) {
     return nullptr;
   }
 }
 
+/// The same, of plugin classes.
+template <class... Plugins>
+const talweg_module* module_of() noexcept {
+  return module_of<Adapter<Plugins>::plugin...>();
+}
+
 }  // namespace talweg::plugin
 
-/// The module's entry point: one line in one source file, with all plugin classes of the library.
+/// The module's entry point: one line in one source file, with all plugin classes of the library;
+/// or, where the classes are in sources of their own, with a function for each, which returns
+/// Adapter<Class>::plugin().
 #define TALWEG_PLUGIN_MODULE(...)                                           \
   extern "C" TALWEG_PLUGIN_EXPORT const talweg_module* talweg_plugin_entry( \
       std::uint32_t host_major, std::uint32_t /*host_minor*/) {             \

@@ -88,7 +88,8 @@ paraview() {
     return 0
   fi
   { cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
-      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF -DTALWEG_BUILD_DRIVER=OFF &&
+      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_PANEL_PLUGINS="$work/portable/tree/lib/talweg/plugins" \
+      -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF -DTALWEG_BUILD_DRIVER=OFF &&
     cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" --target talweg-paraview; } >"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
   rm -rf "$tree"

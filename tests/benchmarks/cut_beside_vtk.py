@@ -134,7 +134,7 @@ def _kept(piece, vertices, faces):
 
 def compare(mesh, drawing):
     vertices, faces = read(mesh)
-    curve = talweg.smooth(vertices, faces, talweg.read_curves(drawing)[0]).curve
+    curve = talweg.smooth((vertices, faces), talweg.read_curves(drawing)[0]).curve
     if not curve.closed:
         sys.exit(f"{drawing} is no closed curve.")
     print(f"{mesh}: {len(faces)} faces, a loop of {len(curve.positions)} points")

@@ -20,21 +20,20 @@ sys.path.insert(0, str(HERE))
 import native_sources  # noqa: E402  # pylint: disable=wrong-import-position
 
 
-def built_plugins(folders):
-    found = [path for folder in folders for path in sorted(folder.glob("talweg_*.so"))]
-    return found if any(path.name == "talweg_smooth.so" for path in found) else []
+MODULE = "talweg_methods.so"  # with all plugins of Talweg
 
 
 def plugins(build):
+    """The folder of the plugins."""
     named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
-    found = built_plugins(named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"])
-    if not found and not named and native_sources.root():
-        found = built_plugins([native_sources.compile_plugins(build)])
-    if not found:
-        raise SystemExit("talweg: no talweg_smooth.so in " + ", ".join(map(str, named)) +
+    for folder in named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"]:
+        if (folder / MODULE).is_file():
+            return folder
+    if named or not native_sources.root():
+        raise SystemExit(f"talweg: no {MODULE} in " + ", ".join(map(str, named)) +
                          "; build Talweg first (./run build), or name the folder of its plugins "
                          "in TALWEG_PLUGIN_PATH.")
-    return found
+    return native_sources.compile_plugins(build)
 
 
 class BuildWithPlugins(build_py):
@@ -44,13 +43,11 @@ class BuildWithPlugins(build_py):
             return  # a checkout finds its own build
         target = Path(self.build_lib) / "talweg" / "plugins"
         target.mkdir(parents=True, exist_ok=True)
-        found = plugins(Path(self.build_lib).resolve().parent / "plugins")
-        for path in found:
+        folder = plugins(Path(self.build_lib).resolve().parent / "plugins")
+        # Plugins for any Linux bring a library (plugins/packages) and the licences of all parts.
+        for path in (folder / MODULE, *folder.glob("libtalweg-*.so.*")):
             shutil.copy(path, target / path.name)
-        # What plugins for any Linux bring (plugins/packages): a library, and the licences of all parts.
-        for path in found[0].parent.glob("libtalweg-*.so.*"):
-            shutil.copy(path, target / path.name)
-        licences = found[0].parent / "licences"
+        licences = folder / "licences"
         if licences.is_dir():
             shutil.copytree(licences, target / "licences", dirs_exist_ok=True)
 

@@ -13,6 +13,7 @@
 #include "level_set_matching.hpp"
 #include "methods/deviation_choice.hpp"
 #include "methods/method_workspace.hpp"
+#include "methods/plugins.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -113,6 +114,7 @@ class Bipartition : public MethodWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Bipartition)
+const talweg_plugin* bipartition_plugin() { return plugin::Adapter<Bipartition>::plugin(); }
+
+}  // namespace talweg::plugins

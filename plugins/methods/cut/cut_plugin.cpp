@@ -7,6 +7,7 @@
 
 #include "methods/given_plan.hpp"
 #include "methods/made_meshes.hpp"
+#include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/cutting/cut_plan.hpp"
@@ -133,6 +134,7 @@ class Cut : public MakesMeshes<Workspace> {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Cut)
+const talweg_plugin* cut_plugin() { return plugin::Adapter<Cut>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/plugins.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "methods/smoother_workspace.hpp"
@@ -161,6 +162,7 @@ class Distance : public SmootherWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Distance)
+const talweg_plugin* distance_plugin() { return plugin::Adapter<Distance>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "curve_files.hpp"
+#include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
@@ -226,6 +227,7 @@ class Draw : public Workspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Draw)
+const talweg_plugin* draw_plugin() { return plugin::Adapter<Draw>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -8,6 +8,7 @@
 #include "envelope_smoothing.hpp"
 #include "methods/deviation_choice.hpp"
 #include "methods/method_workspace.hpp"
+#include "methods/plugins.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -88,6 +89,7 @@ class Envelope : public MethodWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Envelope)
+const talweg_plugin* envelope_plugin() { return plugin::Adapter<Envelope>::plugin(); }
+
+}  // namespace talweg::plugins

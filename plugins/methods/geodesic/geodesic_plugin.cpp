@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/plugins.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "methods/smoother_workspace.hpp"
@@ -108,6 +109,7 @@ class Geodesic : public SmootherWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Geodesic)
+const talweg_plugin* geodesic_plugin() { return plugin::Adapter<Geodesic>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -12,6 +12,7 @@
 #include "methods/budget_choice.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/mesh_workspace.hpp"
+#include "methods/plugins.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "talweg/core/cutting/mesh_parts.hpp"
@@ -186,6 +187,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Labels)
+const talweg_plugin* labels_plugin() { return plugin::Adapter<Labels>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/measure/curve_measurement.hpp"
@@ -63,6 +64,7 @@ class Measure : public Workspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Measure)
+const talweg_plugin* measure_plugin() { return plugin::Adapter<Measure>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -7,6 +7,7 @@
 #include "curve_subdivision.hpp"
 #include "methods/deviation_choice.hpp"
 #include "methods/method_workspace.hpp"
+#include "methods/plugins.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
@@ -77,6 +78,7 @@ class Midpoints : public MethodWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Midpoints)
+const talweg_plugin* midpoints_plugin() { return plugin::Adapter<Midpoints>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/offset/offset_curves.hpp"
@@ -91,6 +92,7 @@ class Offset : public Workspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Offset)
+const talweg_plugin* offset_plugin() { return plugin::Adapter<Offset>::plugin(); }
+
+}  // namespace talweg::plugins

@@ -10,6 +10,7 @@
 #include "methods/host_mesh.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/mesh_workspace.hpp"
+#include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/mesh/mesh_inspection.hpp"
@@ -206,6 +207,7 @@ class Repair {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Repair)
+const talweg_plugin* repair_plugin() { return plugin::Adapter<Repair>::plugin(); }
+
+}  // namespace talweg::plugins

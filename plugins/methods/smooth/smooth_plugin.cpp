@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/plugins.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
 #include "methods/smoother_workspace.hpp"
@@ -199,6 +200,7 @@ class Smooth : public SmootherWorkspace {
 };
 
 }  // namespace
-}  // namespace talweg::plugins
 
-TALWEG_PLUGIN_MODULE(talweg::plugins::Smooth)
+const talweg_plugin* smooth_plugin() { return plugin::Adapter<Smooth>::plugin(); }
+
+}  // namespace talweg::plugins

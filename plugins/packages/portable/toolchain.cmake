@@ -11,6 +11,8 @@ set(CMAKE_LIBRARY_ARCHITECTURE x86_64-linux-gnu)
 # The compiler would look for its own headers inside the root, and for libraries outside of it.
 set(libraries ${TALWEG_SYSROOT}/usr/lib/x86_64-linux-gnu)
 set(search "-B${libraries} -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
+# What nobody calls is left out: functions that every source has a copy of, and parts of the core.
+string(APPEND search " -ffunction-sections -fdata-sections")
 set(CMAKE_C_FLAGS_INIT "${search}")
 set(CMAKE_CXX_FLAGS_INIT "${search} -nostdinc++")
 foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
@@ -18,7 +20,7 @@ foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
 endforeach()
 # What refers to a symbol of a newer glibc does not link. The static libstdc++ wants threads behind it,
 # which glibc had in a library of their own before 2.34.
-set(link "-static-libgcc -static-libstdc++ -pthread -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs")
+set(link "-static-libgcc -static-libstdc++ -pthread -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs -Wl,--gc-sections")
 foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT "${link}")
 endforeach()

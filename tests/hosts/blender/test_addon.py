@@ -75,7 +75,7 @@ class Addon(unittest.TestCase):
         panel = types.SimpleNamespace(mean_edge=0, use_slack=False, slack=1, shown_slack=1,
                                       use_max_deviation=True, max_deviation=1, shown_max_deviation=1,
                                       use_click_distance=True, click_distance=1, shown_click_distance=1)
-        result = talweg.smooth(*support.hills(), self.drawn)
+        result = talweg.smooth(support.hills(), self.drawn)
         parameters.show_used(panel, result.total)
         self.assertEqual((panel.slack, panel.max_deviation), (result.total.slack, 1))
         panel.slack = 0.25  # typed

@@ -14,10 +14,10 @@ class Arrays(unittest.TestCase):
     def setUpClass(cls):
         cls.vertices, cls.faces = support.hills()
         cls.drawn = support.staircase()
-        cls.expected = talweg.smooth(cls.vertices, cls.faces, cls.drawn).curve.positions
+        cls.expected = talweg.smooth((cls.vertices, cls.faces), cls.drawn).curve.positions
 
     def same(self, vertices, faces, drawn=None, expected=None):
-        result = talweg.smooth(vertices, faces, self.drawn if drawn is None else drawn)
+        result = talweg.smooth((vertices, faces), self.drawn if drawn is None else drawn)
         np.testing.assert_array_equal(result.curve.positions,
                                       self.expected if expected is None else expected)
 
@@ -28,7 +28,7 @@ class Arrays(unittest.TestCase):
 
     def test_single_precision_is_what_the_rounded_mesh_gives(self):
         rounded = self.vertices.astype(np.float32)
-        expected = talweg.smooth(rounded.astype(np.float64), self.faces, self.drawn).curve.positions
+        expected = talweg.smooth((rounded.astype(np.float64), self.faces), self.drawn).curve.positions
         self.same(rounded, self.faces, expected=expected)
         self.same(rounded.astype(">f4"), self.faces, expected=expected)
         self.assertFalse(np.array_equal(expected, self.expected))
@@ -71,9 +71,9 @@ class Arrays(unittest.TestCase):
 
     def test_fields_given_and_taken(self):
         slack = np.linspace(0.1, 3, len(self.vertices))
-        expected = talweg.smooth(self.vertices, self.faces, self.drawn, slack_field=slack)
+        expected = talweg.smooth((self.vertices, self.faces), self.drawn, slack_field=slack)
         padded = np.stack([slack, slack], 1)[:, 0]
-        result = talweg.smooth(self.vertices, self.faces, self.drawn, slack_field=padded,
+        result = talweg.smooth((self.vertices, self.faces), self.drawn, slack_field=padded,
                                point_fields=True, vertex_fields=True)
         np.testing.assert_array_equal(result.curve.positions, expected.curve.positions)
         self.assertFalse(np.array_equal(result.curve.positions, self.expected))
@@ -90,7 +90,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(np.abs(distance[self.drawn]).max(), 0)
 
     def test_what_comes_out_lies_on_the_mesh(self):
-        curve = talweg.smooth(self.vertices, self.faces, self.drawn).curve
+        curve = talweg.smooth((self.vertices, self.faces), self.drawn).curve
         np.testing.assert_allclose(curve.barycentrics.sum(axis=1), 1, atol=1e-15)
         self.assertGreaterEqual(curve.barycentrics.min(), 0)
         placed = np.einsum("nk,nkx->nx", curve.barycentrics, self.vertices[self.faces[curve.faces]])
@@ -99,14 +99,14 @@ class Arrays(unittest.TestCase):
         self.assertTrue(at[0] and at[-1] and not at.all())
         np.testing.assert_array_equal(curve.positions[at], self.vertices[curve.vertices[at]])
         self.assertAlmostEqual(
-            curve.length, talweg.smooth(self.vertices, self.faces, self.drawn).report.length_after,
+            curve.length, talweg.smooth((self.vertices, self.faces), self.drawn).report.length_after,
             places=9)
 
 
     def test_what_is_printed(self):
         self.assertEqual(repr(talweg.Curve([1, 2, 3], closed=True)),
                          "<talweg.Curve: closed, 3 points>")
-        result = talweg.smooth(self.vertices, self.faces, self.drawn)
+        result = talweg.smooth((self.vertices, self.faces), self.drawn)
         self.assertEqual(repr(result), f"<talweg.Result: [<talweg.Curve: open, {len(result.curve)} "
                                        "points>], converged>")
         lines = str(result.report).splitlines()

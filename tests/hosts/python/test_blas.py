@@ -22,7 +22,7 @@ def distances():
     blas = ctypes.CDLL("libblas.so.3")  # the one that CHOLMOD has loaded
     before = blas.openblas_get_num_threads()
     matrix = np.ones((200, 200)) @ np.ones((200, 200))
-    result = talweg.distance(*support.torus(150), support.ring(150), potential="paper").distance
+    result = talweg.distance(support.torus(150), support.ring(150), potential="paper").distance
     after = blas.openblas_get_num_threads()
     assert matrix[0, 0] == 200
     print(before, after, hashlib.sha256(result.tobytes()).hexdigest())
@@ -38,10 +38,10 @@ def two_plugins_at_once():
     drawn = support.ring(80)
 
     def smooth():
-        return talweg.smooth(vertices, faces, drawn, closed=True, potential="paper").curve.positions
+        return talweg.smooth((vertices, faces), drawn, closed=True, potential="paper").curve.positions
 
     def distance():
-        return talweg.distance(vertices, faces, drawn, closed=True, potential="paper").distance
+        return talweg.distance((vertices, faces), drawn, closed=True, potential="paper").distance
 
     wrong = []
 

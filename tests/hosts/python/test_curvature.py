@@ -53,7 +53,7 @@ class Turns(unittest.TestCase):
         """Of results, through faces, edges and vertices, and of drawings along edges."""
         for (vertices, faces), drawn, closed in ((support.hills(), support.staircase(), False),
                                                  (support.torus(), support.ring(), True)):
-            result = talweg.smooth(vertices, faces, drawn, closed=closed, point_fields=True)
+            result = talweg.smooth((vertices, faces), drawn, closed=closed, point_fields=True)
             report, edge = result.report, result.report.edge_length_near
             after = _turning.turns_of(result.curve, vertices, faces)
             before = _turning.turns_of(result.drawn[0], vertices, faces)
@@ -160,16 +160,16 @@ class Plots(unittest.TestCase):
             talweg.plot_curvature(self.mesh.smooth(drawn), self.axes)
             self.assertEqual(self.labels(), ["result", "drawn"])
             self.axes.clear()
-        two = [talweg.Curve(support.staircase()), talweg.draw(self.vertices, self.faces, [305, 355])]
+        two = [talweg.Curve(support.staircase()), talweg.draw((self.vertices, self.faces), [305, 355])]
         talweg.plot_curvature(self.mesh.smooth(two), self.axes)
         self.assertEqual(self.labels(), ["result 1", "drawn", "result 2"])
         self.axes.clear()
         vertices, faces = support.torus()
-        talweg.plot_curvature(talweg.smooth(vertices, faces, support.ring(), closed=True), self.axes)
+        talweg.plot_curvature(talweg.smooth((vertices, faces), support.ring(), closed=True), self.axes)
 
     def test_straight_lines_do_not_turn(self):
         flat = self.vertices * [1, 1, 0]
-        talweg.plot_curvature(talweg.geodesic(flat, self.faces, support.staircase()), self.axes)
+        talweg.plot_curvature(talweg.geodesic((flat, self.faces), support.staircase()), self.axes)
         steps = {patch.get_label(): patch.get_data() for patch in self.axes.patches}
         self.assertLess(np.abs(steps["result"].values).max(), 1e-6)
 

@@ -59,7 +59,7 @@ class Driver(unittest.TestCase):
         (self.folder / "drawn.txt").write_text("\n".join(map(str, drawn)))
         support.driver(self.folder, "smooth", mesh_file, "--curve", "drawn.txt",
                        *names_of(parameters), "-o", "out.json", "--report", "report.json")
-        result = talweg.smooth(vertices, faces, drawn, **parameters)
+        result = talweg.smooth((vertices, faces), drawn, **parameters)
         self.equal_curves(self.folder / "out.json", result.curves)
         self.equal_reports(json.loads((self.folder / "report.json").read_text()), result.total)
         return result
@@ -87,7 +87,7 @@ class Driver(unittest.TestCase):
             options += ["--curve", f"{k}.txt"]
         support.driver(self.folder, "smooth", "mesh.obj", *options, "-o", "out.json")
         curves = [talweg.Curve(support.ring(column=column), closed=True) for column in (5, 30)]
-        result = talweg.smooth(vertices, faces, curves)
+        result = talweg.smooth((vertices, faces), curves)
         self.equal_curves(self.folder / "out.json", result.curves)
         self.assertEqual(len(result.reports), 2)
 
@@ -101,13 +101,13 @@ class Driver(unittest.TestCase):
                 out.write("v %r %r %r\n" % tuple(p))
             out.write("l " + " ".join(str(k + 1) for k in range(len(drawn))) + "\n")
         support.driver(self.folder, "smooth", "mesh.obj", "--curve", "drawn.obj", "-o", "out.json")
-        result = talweg.smooth(vertices, faces, drawn)
+        result = talweg.smooth((vertices, faces), drawn)
         self.equal_curves(self.folder / "out.json", result.curves)
         self.assertIn("moved onto the mesh", " ".join(result.total.warnings))
 
     def test_faces_and_barycentrics(self):
         vertices, faces = support.hills()
-        first = talweg.smooth(vertices, faces, support.staircase()).curve
+        first = talweg.smooth((vertices, faces), support.staircase()).curve
         given = talweg.Curve(faces=first.faces, barycentrics=first.barycentrics)
         support.write_obj(self.folder / "mesh.obj", vertices, faces)
         points = [{"face": int(f), "barycentric": b.tolist(), "xyz": p.tolist()} for f, b, p in
@@ -118,10 +118,10 @@ class Driver(unittest.TestCase):
         support.driver(self.folder, "smooth", "mesh.obj", "--curve", "drawn.json", "--tau", "0.5",
                        "-o", "out.json")
         self.equal_curves(self.folder / "out.json",
-                          talweg.smooth(vertices, faces, given, 0.5).curves)
+                          talweg.smooth((vertices, faces), given, 0.5).curves)
         # A result is a drawing as it is: the same as by its faces and barycentrics.
         self.equal_curves(self.folder / "out.json",
-                          talweg.smooth(vertices, faces, first, 0.5).curves)
+                          talweg.smooth((vertices, faces), first, 0.5).curves)
 
     def test_drawing(self):
         vertices, faces = support.hills()
@@ -130,7 +130,7 @@ class Driver(unittest.TestCase):
         for options, straight in (([], None), (["--edges"], False), (["--straight"], True)):
             support.driver(self.folder, "draw", "mesh.obj", "--through",
                            ",".join(map(str, through)), *options, "-o", "out.json")
-            drawn = talweg.draw(vertices, faces, through, straight=straight)
+            drawn = talweg.draw((vertices, faces), through, straight=straight)
             self.equal_curves(self.folder / "out.json", [drawn])
             self.assertEqual(drawn.vertices[0], through[0])
 
@@ -159,10 +159,10 @@ class Driver(unittest.TestCase):
         (self.folder / "drawn.txt").write_text("\n".join(map(str, drawn)))
         support.driver(self.folder, "run", "talweg.geodesic", "mesh.obj", "--curve", "drawn.txt",
                        "-o", "out.json")
-        self.equal_curves(self.folder / "out.json", talweg.geodesic(vertices, faces, drawn).curves)
+        self.equal_curves(self.folder / "out.json", talweg.geodesic((vertices, faces), drawn).curves)
         support.driver(self.folder, "run", "talweg.distance", "mesh.obj", "--curve", "drawn.txt",
                        "--write-distance", "d.txt", "--write-potential", "p.txt")
-        ours = talweg.distance(vertices, faces, drawn)
+        ours = talweg.distance((vertices, faces), drawn)
         np.testing.assert_array_equal(np.loadtxt(self.folder / "d.txt"), ours.distance)
         np.testing.assert_array_equal(np.loadtxt(self.folder / "p.txt"), ours.potential)
         self.assertEqual(ours.distance.max(), ours.distance_max)

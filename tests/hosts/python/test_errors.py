@@ -22,15 +22,15 @@ class Errors(unittest.TestCase):
 
     def refused(self, kind, words, curve=None, vertices=None, faces=None, **parameters):
         with self.assertRaises(kind) as caught:
-            talweg.smooth(self.vertices if vertices is None else vertices,
-                          self.faces if faces is None else faces,
+            talweg.smooth((self.vertices if vertices is None else vertices,
+                           self.faces if faces is None else faces),
                           self.drawn if curve is None else curve, **parameters)
         self.assertIsInstance(caught.exception, talweg.Error)
         self.assertEqual(caught.exception.code, kind.code)
         self.assertIn(words, str(caught.exception))
         self.assertNotIn("\n", str(caught.exception))
         # Nothing is left behind: the same process goes on as if nothing had been.
-        self.assertEqual(talweg.smooth(self.vertices, self.faces, self.drawn).report.termination,
+        self.assertEqual(talweg.smooth((self.vertices, self.faces), self.drawn).report.termination,
                          "converged")
 
     def test_codes_are_those_of_the_header(self):
@@ -81,8 +81,8 @@ class Errors(unittest.TestCase):
         for words, points in (("two points", [4]), ("talweg.Curve", [[1], [5, 6]]),
                               ("not at a vertex", [[1.1, 1.2, 0], [5.0, 6.0, 0]])):
             with self.assertRaisesRegex(talweg.BadCurve, words):
-                talweg.draw(self.vertices, self.faces, points, straight=False)
-        loop = talweg.draw(self.vertices, self.faces, [70, 75, 195, 70])
+                talweg.draw((self.vertices, self.faces), points, straight=False)
+        loop = talweg.draw((self.vertices, self.faces), [70, 75, 195, 70])
         self.assertTrue(loop.closed)
 
     def test_parameters(self):
@@ -99,7 +99,7 @@ class Errors(unittest.TestCase):
                      potential="paper")
         self.refused(talweg.BadUsage, "pin at vertex 0", pin=[0])
         with self.assertRaisesRegex(TypeError, "tqdm"):
-            talweg.smooth(self.vertices, self.faces, self.drawn, progress=3)
+            talweg.smooth((self.vertices, self.faces), self.drawn, progress=3)
 
     def test_a_workspace_keeps_what_it_had(self):
         work = talweg.Mesh(self.vertices, self.faces).workspace(self.drawn, tau=2.0)
@@ -114,7 +114,7 @@ class Errors(unittest.TestCase):
     def test_several_curves_have_no_single_one(self):
         vertices, faces = support.torus()
         curves = [talweg.Curve(support.ring(column=k), closed=True) for k in (5, 30)]
-        result = talweg.smooth(vertices, faces, curves)
+        result = talweg.smooth((vertices, faces), curves)
         with self.assertRaisesRegex(talweg.BadUsage, "There are 2 curves"):
             result.curve  # pylint: disable=pointless-statement
 
@@ -122,13 +122,13 @@ class Errors(unittest.TestCase):
         beside = self.vertices[self.drawn] + [0, 0, 0.3]
         script = ("import sys; sys.path.insert(0, sys.argv[1]); import numpy as np; "
                   "import support, talweg; v, f = support.hills(); "
-                  "r = talweg.smooth(v, f, v[support.staircase()] + [0, 0, 0.3]); "
+                  "r = talweg.smooth((v, f), v[support.staircase()] + [0, 0, 0.3]); "
                   "assert r.report.warnings")
         done = subprocess.run([sys.executable, "-c", script, str(Path(__file__).parent)],
                               capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
         with self.assertLogs("talweg", logging.WARNING) as logs:
-            talweg.smooth(self.vertices, self.faces, beside)
+            talweg.smooth((self.vertices, self.faces), beside)
         self.assertIn("moved onto the mesh", logs.output[0])
 
 

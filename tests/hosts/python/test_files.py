@@ -17,7 +17,7 @@ class Files(unittest.TestCase):
     def setUpClass(cls):
         cls.vertices, cls.faces = support.hills()
         cls.drawn = support.staircase()
-        cls.curve = talweg.smooth(cls.vertices, cls.faces, cls.drawn).curve
+        cls.curve = talweg.smooth((cls.vertices, cls.faces), cls.drawn).curve
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -63,13 +63,13 @@ class Files(unittest.TestCase):
 
     def test_the_drivers_bytes(self):
         support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
-        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055], exact=False)
+        drawn = talweg.draw((self.vertices, self.faces), [305, 1820, 3055], exact=False)
         talweg.write_curves(self.folder / "drawn.txt", drawn)
         np.testing.assert_array_equal(np.loadtxt(self.folder / "drawn.txt"), drawn.vertices)
         outputs = [f"driver.{name}" for name in FORMATS]
         support.driver(self.folder, "smooth", "mesh.obj", "--curve", "drawn.txt",
                        *[word for output in outputs for word in ("-o", output)])
-        curve = talweg.smooth(self.vertices, self.faces, drawn).curve
+        curve = talweg.smooth((self.vertices, self.faces), drawn).curve
         for name in FORMATS:
             talweg.write_curves(self.folder / f"ours.{name}", curve)
             self.assertEqual((self.folder / f"ours.{name}").read_bytes(),
@@ -77,10 +77,10 @@ class Files(unittest.TestCase):
 
     def test_way_points_of_files(self):
         support.write_obj(self.folder / "mesh.obj", self.vertices, self.faces)
-        drawn = talweg.draw(self.vertices, self.faces, [305, 1820, 3055], straight=False)
+        drawn = talweg.draw((self.vertices, self.faces), [305, 1820, 3055], straight=False)
         np.testing.assert_array_equal(np.flatnonzero(drawn.exact == 0)[[0, -1]],
                                       [0, len(drawn) - 1])
-        curve = talweg.smooth(self.vertices, self.faces, drawn).curve
+        curve = talweg.smooth((self.vertices, self.faces), drawn).curve
         talweg.write_curves(self.folder / "ours.json", curve)
         for name in ("json", "vtp", "vtk"):
             talweg.write_curves(self.folder / f"drawn.{name}", drawn)
@@ -90,7 +90,7 @@ class Files(unittest.TestCase):
                            "-o", "driver.json")
             self.assertEqual((self.folder / "ours.json").read_bytes(),
                              (self.folder / "driver.json").read_bytes(), name)
-        rough = talweg.smooth(self.vertices, self.faces, drawn, points="rough").curve
+        rough = talweg.smooth((self.vertices, self.faces), drawn, points="rough").curve
         self.assertNotEqual(len(rough.positions), 0)
         self.assertFalse(np.any(np.all(np.isclose(rough.positions, self.vertices[1820]), axis=1)))
         self.assertTrue(np.any(np.all(np.isclose(curve.positions, self.vertices[1820]), axis=1)))
@@ -112,7 +112,7 @@ class Files(unittest.TestCase):
     def test_sets_and_loops(self):
         vertices, faces = support.torus()
         drawn = [talweg.Curve(support.ring(column=k), closed=True) for k in (5, 30)]
-        result = talweg.smooth(vertices, faces, drawn)
+        result = talweg.smooth((vertices, faces), drawn)
         talweg.write_curves(self.folder / "two.json", result.curves)
         self.assertEqual([curve.closed for curve in talweg.read_curves(self.folder / "two.json")],
                          [True, True])

@@ -49,7 +49,7 @@ class Folder(unittest.TestCase):
         for name, scale in (("one", 1), ("two", 3)):
             row = rows[f"{name}.obj"]
             self.assertEqual((row["error"], int(row["faces"])), ("", len(faces)))
-            expected = talweg.smooth(vertices, faces, drawn).report.length_after
+            expected = talweg.smooth((vertices, faces), drawn).report.length_after
             self.assertAlmostEqual(float(row["length_after"]) / scale, expected, places=6)
             self.assertTrue((self.results / f"{name}.vtp").is_file())
         self.assertRegex(rows["gap.obj"]["error"], "Vertices 5 and 900 .* share no edge")

@@ -159,7 +159,7 @@ end_header
         mesh = talweg.Mesh(vertices, faces,
                            vertex_attributes={"height": vertices[:, 2].astype(np.float32)},
                            face_attributes={"label": np.arange(len(faces), dtype=np.int32) % 5})
-        drawn = talweg.draw(vertices, faces, support.staircase())
+        drawn = talweg.draw((vertices, faces), support.staircase())
         talweg.write_mesh(self.path("in.ply"), mesh)
         talweg.write_curves(self.path("in.json"), drawn)
         for more, how in ((["--open"], {"open": True}), ([], {})):

@@ -16,7 +16,7 @@ class Objects(unittest.TestCase):
     def setUpClass(cls):
         cls.vertices, cls.faces = support.hills()
         cls.drawn = support.staircase()
-        cls.expected = talweg.smooth(cls.vertices, cls.faces, cls.drawn).curve.positions
+        cls.expected = talweg.smooth((cls.vertices, cls.faces), cls.drawn).curve.positions
 
     def same(self, mesh):
         np.testing.assert_array_equal(talweg.Mesh(mesh).smooth(self.drawn).curve.positions,

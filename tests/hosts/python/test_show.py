@@ -82,7 +82,7 @@ class Pictures(unittest.TestCase):
         from matplotlib.figure import Figure  # pylint: disable=import-outside-toplevel
         figure = Figure()
         axes = figure.add_subplot()
-        loop = talweg.draw(self.vertices, self.faces, [1220, 1240, 2440, 2420], closed=True)
+        loop = talweg.draw((self.vertices, self.faces), [1220, 1240, 2440, 2420], closed=True)
         self.assertIs(talweg.show(self.mesh, {"route": self.result.curve, "field": [loop]},
                                   axes=axes, unit="m"), axes)
         self.assertEqual([text.get_text() for text in axes.get_legend().get_texts()],
@@ -190,7 +190,7 @@ class Pictures(unittest.TestCase):
 
 class Without(unittest.TestCase):
     def test_nothing_to_draw_with(self):
-        result = talweg.smooth(*support.hills(), support.staircase())
+        result = talweg.smooth(support.hills(), support.staircase())
         with mock.patch.object(_windows, "there", lambda package: False):
             self.assertIsNone(result._repr_png_())  # pylint: disable=protected-access
             with self.assertRaisesRegex(talweg.Unsupported, "no matplotlib.*PyVista or vedo"):
@@ -218,9 +218,9 @@ import sys, numpy as np
 sys.path.insert(0, sys.argv[2])
 import support, talweg
 vertices, faces = support.hills()
-result = talweg.smooth(vertices, faces, support.staircase())
+result = talweg.smooth((vertices, faces), support.staircase())
 result.show(engine=sys.argv[1], file="a.png", size=(320, 240))
-talweg.show((vertices, faces), talweg.draw(vertices, faces, [305, 1820, 3055]), engine=sys.argv[1],
+talweg.show((vertices, faces), talweg.draw((vertices, faces), [305, 1820, 3055]), engine=sys.argv[1],
             file="b.png", colors=vertices[:, 2], size=(320, 240))
 """
 

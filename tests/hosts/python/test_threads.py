@@ -26,9 +26,9 @@ class Threads(unittest.TestCase):
     def test_meshes_opened_side_by_side(self):
         def once(n):
             vertices, faces = support.hills(n)
-            drawn = talweg.draw(vertices, faces, [0, n * n - 1])
-            return (talweg.smooth(vertices, faces, drawn).curve.positions,
-                    talweg.distance(vertices, faces, drawn).distance)
+            drawn = talweg.draw((vertices, faces), [0, n * n - 1])
+            return (talweg.smooth((vertices, faces), drawn).curve.positions,
+                    talweg.distance((vertices, faces), drawn).distance)
 
         sizes = [20, 30, 40, 50, 20, 30, 40, 50]
         expected = {n: once(n) for n in set(sizes)}

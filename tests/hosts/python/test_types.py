@@ -27,6 +27,8 @@ talweg.show(mesh, {"drawn": drawn}, file="a.png", size=(80, 60))
 result.show(view=(0, 0, 1))
 talweg.plot_curvature(result, unit="mm")
 largest: float = float(mesh.distance(drawn).distance.max())
+again: talweg.Result = talweg.smooth((vertices, faces), talweg.draw("a.ply", [0, 1]), 2)
+talweg.draw(mesh)  # error: Missing positional argument "points" in call to "draw"
 talweg.write_curves("a.vtp", 3)  # error: Argument 2 to "write_curves"
 result.repot  # error: "Result" has no attribute "repot"
 mesh.smooth(drawn, tau="much")  # error: Argument "tau" to "smooth"

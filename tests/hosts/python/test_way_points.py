@@ -47,8 +47,8 @@ class WayPoints(unittest.TestCase):
         self.assertIsNone(self.rough.exact)
         self.equal(self.rough, self.drawn)
         vertices, faces = support.hills()
-        self.assertIsNone(talweg.draw(vertices, faces, THROUGH, exact=False).exact)
-        np.testing.assert_array_equal(talweg.draw(vertices, faces, THROUGH, straight=False).exact,
+        self.assertIsNone(talweg.draw((vertices, faces), THROUGH, exact=False).exact)
+        np.testing.assert_array_equal(talweg.draw((vertices, faces), THROUGH, straight=False).exact,
                                       self.drawn.exact)
 
     def test_smoothing_passes_them(self):

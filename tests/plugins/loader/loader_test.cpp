@@ -241,6 +241,35 @@ TEST_F(LoaderTest, NothingIsNothing) {
   EXPECT_EQ(talweg_loader_refused_path(loader.get(), 7), nullptr);
 }
 
+TEST_F(LoaderTest, AllPluginsOfTalwegAreInOneModule) {
+  const test::Loader loader = test::open_loader();
+  ASSERT_GE(talweg_loader_count(loader.get()), 12U);
+  const std::string path = talweg_loader_path(loader.get(), 0);
+  EXPECT_EQ(fs::path(path).filename(), "talweg_methods.so");
+  for (std::uint64_t k = 0; k < talweg_loader_count(loader.get()); ++k) {
+    EXPECT_EQ(talweg_loader_path(loader.get(), k), path);
+    EXPECT_EQ(std::string(talweg_loader_plugin(loader.get(), k)->id).rfind("talweg.", 0), 0U);
+  }
+}
+
+/// Versions of Talweg may be in one process, in hosts that each bring theirs.
+TEST_F(LoaderTest, TwoCopiesOfOneModuleShareNothing) {
+  const test::Loader first = test::open_loader();
+  fs::copy_file(talweg_loader_path(first.get(), 0), file("copy.so"));
+  const test::Loader second = open();
+  EXPECT_EQ(talweg_loader_count(second.get()), talweg_loader_count(first.get()));
+  const talweg_plugin* ours = talweg_loader_find(first.get(), "talweg.smooth");
+  const talweg_plugin* theirs = talweg_loader_find(second.get(), "talweg.smooth");
+  ASSERT_NE(ours, nullptr);
+  ASSERT_NE(theirs, nullptr);
+  EXPECT_NE(ours, theirs);
+  talweg_instance* instance = nullptr;
+  ASSERT_EQ(ours->create(nullptr, &instance), TALWEG_OK);
+  EXPECT_EQ(theirs->set_number(instance, "tau", 2), TALWEG_BAD_USAGE);  // not of its own
+  EXPECT_EQ(ours->set_number(instance, "tau", 2), TALWEG_OK);
+  ours->destroy(instance);
+}
+
 TEST_F(LoaderTest, LoadsAndUnloadsAThousandTimes) {
   const test::Subject subject;
   for (int k = 0; k < 1000; ++k) {

@@ -1,19 +1,18 @@
 #include "linked_plugins.hpp"
 
-extern "C" {
-const talweg_module* talweg_plugin_entry_smooth(std::uint32_t, std::uint32_t);
-const talweg_module* talweg_plugin_entry_draw(std::uint32_t, std::uint32_t);
-const talweg_module* talweg_plugin_entry_cut(std::uint32_t, std::uint32_t);
-const talweg_module* talweg_plugin_entry_repair(std::uint32_t, std::uint32_t);
-}
+#include "methods/plugins.hpp"
+#include "talweg/plugin/talweg_plugin.hpp"
+
+namespace talweg::plugins {
+
+TALWEG_PLUGIN_MODULE(smooth_plugin, draw_plugin, cut_plugin, repair_plugin)
+
+}  // namespace talweg::plugins
 
 namespace talweg::browser {
 
 const editing::Plugins& linked_plugins() {
-  static constexpr talweg_linked_module kModules[] = {{"smooth", talweg_plugin_entry_smooth},
-                                                      {"draw", talweg_plugin_entry_draw},
-                                                      {"cut", talweg_plugin_entry_cut},
-                                                      {"repair", talweg_plugin_entry_repair}};
+  static constexpr talweg_linked_module kModules[] = {{"talweg", talweg_plugin_entry}};
   static const editing::Plugins plugins(kModules);
   return plugins;
 }

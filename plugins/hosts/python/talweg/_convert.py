@@ -30,9 +30,9 @@ def parts_of(mesh: Any) -> Parts:
         return _of_trimesh(mesh)
     if hasattr(mesh, "points") and hasattr(mesh, "cells"):
         return _of_meshio(mesh)
-    raise BadMesh("A mesh is given as vertices (n, 3) and faces (m, 3), or as an object with "
-                  "vertices and faces, or points and cells, or as vtkPolyData, or as a file, not as "
-                  f"{type(mesh).__name__}.")
+    raise BadMesh("A mesh is given as a pair of vertices (n, 3) and faces (m, 3), or as an object "
+                  "with vertices and faces, or points and cells, or as vtkPolyData, or as a file, "
+                  f"not as {type(mesh).__name__}.")
 
 
 def _of_trimesh(mesh: Any) -> Parts:

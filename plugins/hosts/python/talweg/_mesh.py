@@ -26,8 +26,8 @@ class Mesh:
     """A triangle mesh, opened: checked and copied once, then shared by all that works on it.
 
     :param vertices: (n, 3) real numbers, float64 or float32, mesh units. Or, without ``faces``, a
-        file as for read_mesh(), or a mesh of trimesh, meshio, VTK (``vtkPolyData``), PyVista or
-        vedo, with its attributes; polygons become triangles.
+        pair (vertices, faces), a file as for read_mesh(), or a mesh of trimesh, meshio, VTK
+        (``vtkPolyData``), PyVista or vedo, with its attributes; polygons become triangles.
     :param faces: (m, 3) whole numbers, counterclockwise from outside.
     :param vertex_attributes: arrays of numbers by name, of shape (n, ...).
     :param face_attributes: (m, ...) each.
@@ -232,6 +232,8 @@ def _is_path(mesh: Any) -> bool:
 def _parts_of(mesh: Any) -> Parts:
     if _is_path(mesh):
         return _mesh_files.read_parts(mesh)
+    if isinstance(mesh, (list, tuple)) and len(mesh) == 2:
+        return Parts(*mesh)
     return _convert.parts_of(mesh)
 
 
@@ -262,10 +264,7 @@ def write_mesh(path: Path, mesh: Any, *, tag: bool = False) -> None:
     :raises BadFile: if the file cannot be written; it is as it was then.
     :raises BadUsage: for an attribute of another shape.
     """
-    if isinstance(mesh, tuple) and len(mesh) == 2:
-        parts = Parts(*mesh)
-    else:
-        parts = mesh._parts() if isinstance(mesh, Mesh) else _parts_of(mesh)
+    parts = mesh._parts() if isinstance(mesh, Mesh) else _parts_of(mesh)
     chains = getattr(mesh, "chains", None)
     if tag and chains is None:
         raise BadUsage("tag needs a mesh that was cut.")

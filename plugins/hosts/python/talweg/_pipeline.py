@@ -23,12 +23,8 @@ Tree = Dict[str, Any]
 
 
 def mesh_of(given: Any, plugin: str) -> Mesh:
-    """A Mesh as it is; a pair (vertices, faces), or a mesh of another package, opened."""
-    if isinstance(given, Mesh):
-        return given
-    if isinstance(given, tuple) and len(given) == 2:
-        return Mesh(given[0], given[1], plugin=plugin)
-    return Mesh(given, plugin=plugin)
+    """A Mesh as it is; a pair (vertices, faces), a file, or a mesh of another package, opened."""
+    return given if isinstance(given, Mesh) else Mesh(given, plugin=plugin)
 
 
 def tree_of(report: Report) -> Tree:

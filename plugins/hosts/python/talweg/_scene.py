@@ -69,7 +69,7 @@ def scene(mesh: Any, curves: Any, view: Any, up: Any, zoom: float, colors: Any,
 
 
 def _parts(mesh: Any) -> Parts:
-    if isinstance(mesh, tuple) and len(mesh) == 2:
+    if isinstance(mesh, (list, tuple)) and len(mesh) == 2:
         return Parts(*mesh)
     return _convert.parts_of(mesh)
 
