@@ -24,13 +24,13 @@ const fragmentShader = `
     #include <colorspace_fragment>
   }`;
 
-/** A part of the depth of what is shown. */
-const stepBack = 0.012;
 
 /** A mesh, and a coarser one in its place while the view turns. */
 export interface Turned {
   whole: Object3D | null;
   coarse: Object3D | null;
+  /** Of the coarser one. */
+  faces: number;
 }
 
 export class Backdrop {
@@ -48,17 +48,17 @@ export class Backdrop {
   private readonly flat = new OrthographicCamera();
   private seenFrom = '';
   private isCoarse = false;
-  private mesh: Turned = { whole: null, coarse: null };
+  private mesh: Turned = { whole: null, coarse: null, faces: 0 };
   private readonly pace: Pace;
 
   /** `ask` asks for a picture; `wanted`: drawing the mesh takes so long that a coarser one is wanted. */
-  constructor(ask: () => void, private readonly wanted: () => void) {
+  constructor(ask: () => void, private readonly wanted: (took: number) => void) {
     this.sheet.frustumCulled = false;
     const again = () => {
       this.invalidate();
       ask();
     };
-    this.pace = new Pace(ask, again, () => this.wanted());
+    this.pace = new Pace(ask, again, (took) => this.wanted(took));
   }
 
   /** The mesh has changed. */
@@ -95,7 +95,7 @@ export class Backdrop {
   }
 
   private drawMesh(renderer: WebGLRenderer, camera: PerspectiveCamera, isCoarse: boolean): void {
-    const { whole, coarse } = this.mesh;
+    const { whole, coarse, faces } = this.mesh;
     const shown = whole?.visible;
     if (isCoarse && whole && coarse) [whole.visible, coarse.visible] = [false, true];
     renderer.setRenderTarget(this.kept);
@@ -103,8 +103,8 @@ export class Backdrop {
     renderer.render(this.scene, camera);
     renderer.setRenderTarget(null);
     if (isCoarse && whole && coarse) [whole.visible, coarse.visible] = [true, false];
-    // Curves lie on the whole mesh: the coarser one steps back, so that it hides nothing of them.
-    this.sheet.material.uniforms.away.value = isCoarse ? stepBack : 0;
+    // Curves lie on the whole mesh: the coarser one steps back by about an edge, so that it hides nothing of them.
+    this.sheet.material.uniforms.away.value = isCoarse ? 2.4 / Math.sqrt(faces) : 0;
     this.isCoarse = isCoarse;
     renderer.domElement.dataset.mesh = isCoarse ? 'coarse' : 'whole';  // tests look at it
     if (!isCoarse && shown) this.pace.measure(renderer.getContext() as WebGL2RenderingContext);

@@ -26,7 +26,7 @@ export class MeshView {
     this.body.frustumCulled = false;
     this.coarse.frustumCulled = false;
     this.coarse.visible = false;
-    stage.onSlow = () => void this.makeCoarse();
+    stage.onSlow = (took) => void this.makeCoarse(took);
     this.parts.frustumCulled = false;
     stage.onColours((colours) => this.plain.color.set(colours.mesh));  // the stage draws anew
   }
@@ -38,7 +38,7 @@ export class MeshView {
     this.body.geometry = new BufferGeometry();
     this.coarse.geometry = new BufferGeometry();
     this.shape = shape;
-    this.stage.backdrop.hold({ whole: this.body, coarse: null });
+    this.stage.backdrop.hold({ whole: this.body, coarse: null, faces: 0 });
     this.body.visible = shape !== null;
     if (shape) {
       this.body.geometry.setAttribute('position', new BufferAttribute(shape.positions, 3));
@@ -50,17 +50,17 @@ export class MeshView {
     this.showCut(null);
   }
 
-  /** A mesh that has about as few triangles already stays as it is. */
-  private async makeCoarse(): Promise<void> {
+  private async makeCoarse(took: number): Promise<void> {
     const { shape } = this;
-    if (!shape || shape.index.length < 2 * 3 * coarseFaces || this.coarse.geometry.index) return;
-    const index = await coarser(shape);
+    const faces = shape && coarseFaces(shape.index.length / 3, took);
+    if (!shape || !faces || this.coarse.geometry.index) return;
+    const index = await coarser(shape, faces);
     if (!index || this.shape !== shape) return;
     const { position, normal } = this.body.geometry.attributes;
     this.coarse.geometry.setAttribute('position', position);
     this.coarse.geometry.setAttribute('normal', normal);
     this.coarse.geometry.setIndex(new BufferAttribute(index, 1));
-    this.stage.backdrop.hold({ whole: this.body, coarse: this.coarse });
+    this.stage.backdrop.hold({ whole: this.body, coarse: this.coarse, faces });
   }
 
   /** Shows the parts of a cut mesh in colours; null: the mesh as it was. */

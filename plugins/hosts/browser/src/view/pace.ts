@@ -13,9 +13,9 @@ export class Pace {
   private round = 0;
   private measured = 0;
 
-  /** `onRest`: the view has come to rest. `again`: draws anew. `onSlow`: drawing takes too long. */
+  /** `onRest`: the view has come to rest. `again`: draws anew. `onSlow`: drawing takes too long, and how long. */
   constructor(private readonly onRest: () => void, private readonly again: () => void,
-              private readonly onSlow: () => void) {}
+              private readonly onSlow: (took: number) => void) {}
 
   /** Another mesh: nothing is known of it. */
   reset(): void {
@@ -43,7 +43,7 @@ export class Pace {
     const look = () => {
       const took = performance.now() - began;
       const done = context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
-      if (!done && took < 20 * patience && !context.isContextLost()) {
+      if (!done && took < 10_000 && !context.isContextLost()) {
         setTimeout(look, 5);
         return;
       }
@@ -61,6 +61,6 @@ export class Pace {
       return;
     }
     this.isSlow = took > patience;
-    if (this.isSlow && !was) this.onSlow();
+    if (this.isSlow && !was) this.onSlow(took);
   }
 }

@@ -9,9 +9,9 @@ import { coloursFor, type Colours } from './colours';
 
 export class Stage {
   readonly camera = new ViewCamera();
-  readonly backdrop = new Backdrop(() => this.ask(), () => this.onSlow());
-  /** Drawing the mesh takes so long that a coarser one is wanted while it turns. */
-  onSlow: () => void = () => {};
+  readonly backdrop = new Backdrop(() => this.ask(), (took) => this.onSlow(took));
+  /** Drawing the mesh takes so many ms that a coarser one is wanted while it turns. */
+  onSlow: (took: number) => void = () => {};
   /** What lies on the mesh. */
   readonly scene = new Scene();
   /** What turns with the eye: the light comes over the left shoulder. */
