@@ -39,7 +39,7 @@ function table(name: string, report: CurveReport, unit: string): HTMLTableElemen
     ['length', lengthText(report.length, unit) + shorter],
     ['turns by', angleText(report.turning)],
     ['farthest apart', farthestText(report, unit)],
-    ['which is', farthestWhat[report.farthestOf]],
+    ['which is', report.farthest === 0 ? '' : farthestWhat[report.farthestOf]],
     ['on average', report.meanDeviation === null ? '–' : lengthText(report.meanDeviation, unit)],
   ];
   if (report.termination !== 'converged') rows.push(['ended', report.termination]);

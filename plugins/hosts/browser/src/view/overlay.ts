@@ -4,9 +4,9 @@ import type { Vec3 } from '../engine/types';
 import type { Stage } from './stage';
 
 export interface Mark {
-  /** The first of these that is seen, or for a mark of one place that. */
+  /** With `ahead` the first of these that will do is taken; without there is one. */
   places: Vec3[];
-  /** Of each the next place of a curve, beside which the text stands; without them the text is to the right. */
+  /** Of each the next place of a curve, beside which the text stands; else the text is to the right. */
   ahead?: Vec3[];
   text: string;
 }
@@ -19,6 +19,17 @@ interface Placed extends Mark {
 
 /** Pixels between a curve and its label. */
 const gap = 7;
+
+interface Pixel {
+  x: number;
+  y: number;
+}
+
+/** Where a label is on the screen. */
+interface Box extends Pixel {
+  width: number;
+  height: number;
+}
 
 export class Overlay {
   private placed = new Map<HTMLElement, Placed>();
@@ -53,37 +64,45 @@ export class Overlay {
   }
 
   private follow(): void {
+    const taken: Box[] = [];
     for (const [element, placed] of this.placed) {
-      const place = this.placeOf(placed);
-      const at = place && this.stage.onScreen(place);
+      const at = placed.ahead ? this.besideCurve(placed, taken) : this.stage.onScreen(placed.places[0]);
       element.hidden = !at;
-      if (!at) continue;
-      element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
-      if (placed.ahead) this.putBeside(placed, at);
+      if (at) element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
     }
   }
 
-  /** Puts the label to the side of its curve that is lower. */
-  private putBeside({ label, ahead, now }: Placed, at: { x: number; y: number }): void {
-    const next = ahead && this.stage.onScreen(ahead[now]);
-    if (!label || !next) return;
-    const dx = next.x - at.x, dy = next.y - at.y, length = Math.hypot(dx, dy) || 1;
-    const sign = dx < 0 ? -1 : 1, across = { x: (-sign * dy) / length, y: (sign * dx) / length };
+  /** Puts a label beside the first place that is seen and where no other label is; null: there is none. */
+  private besideCurve(placed: Placed, taken: Box[]): Pixel | null {
+    const { places, ahead, label } = placed;
+    if (!label || !ahead) return null;
+    label.parentElement!.hidden = false;  // only what is shown has a size
     const width = label.offsetWidth, height = label.offsetHeight;
-    const away = gap + (width * Math.abs(across.x) + height * Math.abs(across.y)) / 2;
-    label.style.left = `${(across.x * away - width / 2).toFixed(1)}px`;
-    label.style.top = `${(across.y * away - height / 2).toFixed(1)}px`;
-  }
-
-  private placeOf(placed: Placed): Vec3 | null {
-    const { places } = placed;
-    if (places.length === 1) return places[0];
     for (let k = 0; k < places.length; ++k) {
       const next = (placed.now + k) % places.length;
       if (!this.stage.isInView(places[next]) || !this.isSeen(places[next])) continue;
+      const at = this.stage.onScreen(places[next]), to = this.stage.onScreen(ahead[next]);
+      if (!at || !to) continue;
+      const box = boxBeside(at, to, width, height);
+      if (taken.some((other) => overlap(box, other))) continue;
+      taken.push(box);
       placed.now = next;
-      return places[next];
+      label.style.left = `${(box.x - at.x).toFixed(1)}px`;
+      label.style.top = `${(box.y - at.y).toFixed(1)}px`;
+      return at;
     }
     return null;
   }
+}
+
+/** A box of this size on the lower side of a line that goes from a pixel to another. */
+function boxBeside(at: Pixel, to: Pixel, width: number, height: number): Box {
+  const dx = to.x - at.x, dy = to.y - at.y, length = Math.hypot(dx, dy) || 1;
+  const sign = dx < 0 ? -1 : 1, across = { x: (-sign * dy) / length, y: (sign * dx) / length };
+  const away = gap + (width * Math.abs(across.x) + height * Math.abs(across.y)) / 2;
+  return { x: at.x + across.x * away - width / 2, y: at.y + across.y * away - height / 2, width, height };
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
