@@ -18,7 +18,7 @@ if (!given) throw new Error('usage: node build.mjs --out FOLDER [--engine FOLDER
 const out = resolve(given);  // esbuild has a working folder of its own
 mkdirSync(out, { recursive: true });
 
-const entries = ['src/main.ts', 'src/pick/prepare_worker.ts', 'src/engine/worker.ts'];
+const entries = ['src/main.ts', 'src/pick/prepare_worker.ts', 'src/view/coarse_worker.ts', 'src/engine/worker.ts'];
 await build({
   absWorkingDir: here,
   entryPoints: entries.filter((file) => existsSync(join(here, file))),
@@ -65,10 +65,10 @@ function inTheEngine(folder) {
 /** What is in the page and not ours, with its licence. */
 function licences() {
   const ours = readFileSync(join(here, '../../../LICENSE'), 'utf8');
-  const others = ['three', 'three-mesh-bvh'].map((name) => {
+  const others = ['three', 'three-mesh-bvh', 'meshoptimizer'].map((name) => {
     const folder = join(here, 'node_modules', name);
     const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-    return `${name} ${version}\n\n${readFileSync(join(folder, 'LICENSE'), 'utf8')}`;
+    return `${name} ${version}\n\n${readFileSync(join(folder, readdirSync(folder).find((file) => /^LICENSE/.test(file))), 'utf8')}`;
   });
   return [`Talweg\n\n${ours}`, ...others, ...(engine ? inTheEngine(engine) : [])].join(`\n${'-'.repeat(72)}\n\n`);
 }

@@ -48,8 +48,28 @@ function soup(gap = 0) {
   };
 }
 
+const columns = 30, rows = 30;
+
+/** A flat sheet with edges of 1. */
+function sheet() {
+  const at = (x, y) => y * (columns + 1) + x;
+  const points = [], faces = [];
+  for (let y = 0; y <= rows; ++y) for (let x = 0; x <= columns; ++x) points.push([x, y, 0]);
+  for (let y = 0; y < rows; ++y) {
+    for (let x = 0; x < columns; ++x) {
+      faces.push([at(x, y), at(x + 1, y), at(x + 1, y + 1)], [at(x, y), at(x + 1, y + 1), at(x, y + 1)]);
+    }
+  }
+  return { points, faces };
+}
+
+/** A point of a drawing on the sheet: the first corner of a face of it. */
+export function sheetVertex(x, y) {
+  return { face: 2 * (y * columns + x), barycentric: [1, 0, 0] };
+}
+
 const kinds = {
-  ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
+  sheet, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
 };
 
 /** The path of an OFF file with this mesh. */
@@ -59,6 +79,18 @@ export function mesh(kind) {
   const lines = [`OFF`, `${points.length} ${faces.length} 0`, ...points.map((p) => p.join(' ')),
     ...faces.map((f) => `3 ${f.join(' ')}`)];
   writeFileSync(path, `${lines.join('\n')}\n`);
+  return path;
+}
+
+/** The path of a GIFTI file with this mesh: its lengths are millimetres. */
+export function inMillimetres(kind) {
+  const { points, faces } = kinds[kind]();
+  const array = (intent, type, rows) => `<DataArray Intent="NIFTI_INTENT_${intent}" DataType="NIFTI_TYPE_${type}" `
+    + `ArrayIndexingOrder="RowMajorOrder" Dimensionality="2" Dim0="${rows.length}" Dim1="3" Encoding="ASCII" `
+    + `Endian="LittleEndian"><Data>${rows.map((row) => row.join(' ')).join('\n')}</Data></DataArray>`;
+  const path = join(folder, `${kind}.surf.gii`);
+  writeFileSync(path, '<?xml version="1.0"?><GIFTI Version="1.0" NumberOfDataArrays="2">'
+    + `${array('POINTSET', 'FLOAT32', points)}${array('TRIANGLE', 'INT32', faces)}</GIFTI>`);
   return path;
 }
 

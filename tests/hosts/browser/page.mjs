@@ -1,5 +1,6 @@
 // The page in a headless Chromium, used as a person uses it: by mouse, fingers and keys. Tests see
-// what a person sees: texts, pictures, and the files that were saved.
+// what a person sees: texts, pictures, and the files that were saved. With TALWEG_FIREFOX, the path of
+// a Firefox, it is that one; it needs a display that draws (xvfb-run), and has no fingers.
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -17,6 +18,8 @@ export function skip(why) {
   process.exit(77);
 }
 
+const firefox = process.env.TALWEG_FIREFOX;
+
 export function browserPath() {
   const names = ['chromium', 'chromium-browser', 'google-chrome'];
   const folders = (process.env.PATH ?? '').split(':');
@@ -30,26 +33,42 @@ export function axeSource() {
 
 let launched = null;
 
+function inChromium() {
+  return {
+    executablePath: browserPath(),
+    args: ['--no-sandbox', '--no-proxy-server', '--use-gl=angle', '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader', '--force-color-profile=srgb', '--disable-component-update'],
+  };
+}
+
+function inFirefox(downloads) {
+  return {
+    browser: 'firefox', executablePath: firefox, headless: false,
+    extraPrefsFirefox: {
+      'webgl.force-enabled': true, 'browser.download.dir': downloads, 'browser.download.folderList': 2,
+      'browser.download.alwaysOpenPanel': false, 'browser.helperApps.neverAsk.saveToDisk': '*/*',
+    },
+  };
+}
+
 /** One browser for all tests of a file: starting it is the longest part. */
 async function launch() {
   if (launched) return launched;
   if (!existsSync(join(folder, 'main.js'))) skip('the page is not built (./run page)');
   if (!existsSync(join(source, 'node_modules'))) skip('there are no npm packages (./run page)');
-  const executablePath = browserPath();
   const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
   const { serve } = await import(pathToFileURL(join(source, 'serve.mjs')));
   const { server, url } = await serve(folder);
-  const browser = await puppeteer.launch({
-    executablePath, timeout: patience, protocolTimeout: patience,
-    args: ['--no-sandbox', '--no-proxy-server', '--use-gl=angle', '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader', '--force-color-profile=srgb', '--disable-component-update'],
-  });
-  launched = { browser, server, url };
+  const downloads = mkdtempSync(join(tmpdir(), 'talweg-firefox-'));
+  const browser = await puppeteer.launch({ timeout: patience, protocolTimeout: patience,
+    ...(firefox ? inFirefox(downloads) : inChromium()) });
+  launched = { browser, server, url, downloads };
   return launched;
 }
 
 export async function endBrowser() {
   await launched?.browser.close();
+  if (launched) rmSync(launched.downloads, { recursive: true, force: true });
   launched?.server.close();
 }
 
@@ -74,8 +93,8 @@ export async function openPage({ width = 900, height = 600, touch = false, dark 
   if (script) await page.evaluateOnNewDocument(script);
   page.setDefaultTimeout(patience);
   page.setDefaultNavigationTimeout(patience);
-  await page.setViewport({ width, height, hasTouch: touch, isMobile: touch });
-  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
+  await page.setViewport({ width, height, ...(!firefox && { hasTouch: touch, isMobile: touch }) });
+  if (!firefox) await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' }]);
   const opened = new Page(context, page, url, mine, ready);
   await opened.begin();
   return opened;
@@ -84,7 +103,7 @@ export async function openPage({ width = 900, height = 600, touch = false, dark 
 export class Page {
   requests = [];
   errors = [];
-  downloads = mkdtempSync(join(tmpdir(), 'talweg-page-'));
+  downloads = firefox ? launched.downloads : mkdtempSync(join(tmpdir(), 'talweg-page-'));
 
   constructor(context, page, url, mine, ready) {
     Object.assign(this, { context, page, url, mine, ready });
@@ -96,10 +115,14 @@ export class Page {
     this.page.on('console', (message) => {
       if (message.type() === 'error') this.errors.push(message.text());
     });
+    if (!firefox) await this.letDownload();
+    await this.load();
+  }
+
+  async letDownload() {
     const client = await this.page.createCDPSession();
     await client.send('Browser.setDownloadBehavior', { behavior: 'allow', downloadPath: this.downloads,
       browserContextId: this.context.id });
-    await this.load();
   }
 
   async load() {
@@ -109,7 +132,7 @@ export class Page {
 
   async end() {
     if (this.mine) await this.context.close();
-    rmSync(this.downloads, { recursive: true, force: true });
+    if (!firefox) rmSync(this.downloads, { recursive: true, force: true });
   }
 
   /** Waits until nothing is computed any more. */
@@ -196,7 +219,7 @@ export class Page {
     await task();
     const end = Date.now() + patience;
     while (Date.now() < end) {
-      const name = readdirSync(this.downloads).find((f) => !/^saved-|^\.|\.crdownload$/.test(f));
+      const name = readdirSync(this.downloads).find((f) => !/^saved-|^\.|\.(crdownload|part)$/.test(f));
       if (name) {
         const path = join(mkdtempSync(join(this.downloads, 'saved-')), name);
         renameSync(join(this.downloads, name), path);

@@ -1,5 +1,7 @@
 // Drawing with the mouse.
 import assert from 'node:assert/strict';
+import { mesh } from './meshes.mjs';
+import { openPage } from './page.mjs';
 import { around, findLine, withMesh } from './places.mjs';
 
 export async function anOpenCurveFromClicks() {
@@ -159,4 +161,23 @@ export async function theViewTurnsAndTheDrawingStays() {
   await page.drag([[x, y], [x + 80, y + 10]], { button: 'right' });
   assert.notEqual(await page.page.screenshot({ encoding: 'base64' }), before);
   assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+}
+
+/** Software draws here, so 640,000 faces take long: a coarser mesh turns, and the whole one rests. */
+export async function aLargeMeshTurnsCoarsely() {
+  const page = await openPage();
+  await page.openMesh(mesh('large'));
+  const { x, y } = await page.middle();
+  const shown = (what) => page.page.waitForSelector(`#canvas[data-mesh="${what}"]`);
+  await shown('whole');
+  await page.page.mouse.move(x, y);
+  await page.page.mouse.down({ button: 'right' });
+  for (let k = 1; (await page.page.$('#canvas[data-mesh="coarse"]')) === null; ++k) {
+    assert.ok(k < 600, 'no coarser mesh was drawn');
+    await page.page.mouse.move(x + (k % 2), y);
+  }
+  await page.picture('turning');
+  await page.page.mouse.up({ button: 'right' });
+  await shown('whole');
+  await page.picture('turned');
 }

@@ -2,30 +2,9 @@
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { mesh, sheetVertex as vertex } from './meshes.mjs';
 import { openPage } from './page.mjs';
 import { around, withMesh } from './places.mjs';
-
-const columns = 30, rows = 30;
-
-/** A flat sheet with edges of 1. */
-function sheet(page) {
-  const lines = ['OFF', `${(columns + 1) * (rows + 1)} ${2 * columns * rows} 0`];
-  for (let y = 0; y <= rows; ++y) for (let x = 0; x <= columns; ++x) lines.push(`${x} ${y} 0`);
-  const at = (x, y) => y * (columns + 1) + x;
-  for (let y = 0; y < rows; ++y) {
-    for (let x = 0; x < columns; ++x) {
-      lines.push(`3 ${at(x, y)} ${at(x + 1, y)} ${at(x + 1, y + 1)}`, `3 ${at(x, y)} ${at(x + 1, y + 1)} ${at(x, y + 1)}`);
-    }
-  }
-  const path = join(page.downloads, 'saved-sheet.off');
-  writeFileSync(path, lines.join('\n'));
-  return path;
-}
-
-/** A point of a drawing: the first corner of a face of the sheet. */
-function vertex(x, y) {
-  return { face: 2 * (y * columns + x), barycentric: [1, 0, 0] };
-}
 
 /** A file with a drawing along the grid from corner to corner, a point at every vertex. */
 function along(page, corners, clicked) {
@@ -53,7 +32,7 @@ function along(page, corners, clicked) {
 /** The curve of such a drawing on the sheet: painted, or through clicks at its corners with a stroke at its end. */
 async function drawn(corners, clicked = false) {
   const page = await openPage();
-  await page.openMesh(sheet(page));
+  await page.openMesh(mesh('sheet'));
   await page.choose('choose-curves', along(page, corners, clicked));
   await page.page.waitForFunction(() => document.querySelector('#reports table'));
   await page.rest();

@@ -49,19 +49,25 @@ Answer call_engine(const std::string& name, const Json& a) {
   Engine& engine = state().engine;
   const std::string bytes = std::exchange(state().bytes, {});
   const auto text = [&](std::size_t k) { return a.at(k).get<std::string>(); };
-  if (name == "open") return engine.open(text(0), bytes, a.at(1).get<bool>());
+  // What was left out at the end is off.
+  const auto flag = [&](std::size_t k) { return k < a.size() && a.at(k).get<bool>(); };
+  if (name == "open") {
+    return engine.open(text(0), bytes, flag(1), optional_of(a.size() > 2 ? a.at(2) : Json()));
+  }
+  if (name == "setUnit") return engine.set_unit(text(0));
   if (name == "words") return engine.words();
   if (name == "sample") return engine.sample();
   if (name == "smooth") return engine.smooth(drawing_of(a.at(0)), text(1));
   if (name == "draw") return engine.draw(drawing_of(a.at(0)));
   if (name == "leg") return engine.leg(point_of(a.at(0)), point_of(a.at(1)));
   if (name == "comb") return engine.comb(a.at(0).get<std::size_t>(), a.at(1).get<double>());
-  if (name == "cut") return engine.cut(drawing_of(a.at(0)));
-  if (name == "keep") return engine.keep(a.at(0).get<std::size_t>(), a.at(1).get<bool>());
+  if (name == "offset") return engine.offset(offset_wish_of(a.at(0)));
+  if (name == "cut") return engine.cut(drawing_of(a.at(0)), flag(1));
+  if (name == "keep") return engine.keep(a.at(0).get<std::size_t>(), flag(1));
   if (name == "labels") return engine.labels(labels_in(a, bytes));
-  if (name == "saveCurves") return engine.save_curves(text(0));
+  if (name == "saveCurves") return engine.save_curves(text(0), a.size() > 1 ? text(1) : "smooth");
   if (name == "saveMesh") return engine.save_mesh(text(0));
-  if (name == "saveParts") return engine.save_parts(text(0), a.at(1).get<bool>());
+  if (name == "saveParts") return engine.save_parts(text(0), flag(1));
   if (name == "readCurves") return engine.read_curves(text(0), bytes);
   throw editing::Error("The engine has no " + name + ".");
 }

@@ -47,17 +47,19 @@ std::string stem_of(const std::string& name) { return name.substr(0, name.rfind(
 
 }  // namespace
 
-Answer Engine::open(const std::string& name, std::string_view bytes, bool repair) {
+Answer Engine::open(const std::string& name, std::string_view bytes, bool repair,
+                    std::optional<double> weld_within) {
   FileMesh read;
   with_file(name, bytes, [&](const std::string& path) { read = read_mesh(*plugins_, path); });
   *this = Engine(*plugins_);
   mesh_ = std::move(read);
+  file_frame_ = mesh_.frame;
   stem_ = stem_of(name);
   mean_edge_ = mean_edge_of(*mesh_.arrays);
   defects_ = repair ? editing::Defects::kRepair : editing::Defects::kRefuse;
   std::optional<WeldOffer> weld;
-  if (repair) weld = weld_offer(*plugins_, *mesh_.arrays);
-  weld_within_ = weld ? weld->tolerance : 0;
+  if (repair && !weld_within) weld = weld_offer(*plugins_, *mesh_.arrays);
+  weld_within_ = weld ? weld->tolerance : weld_within.value_or(0);
   workplace_ = std::make_unique<editing::Workplace>(*plugins_, mesh_.arrays, defects_);
   workplace_->weld_within(weld_within_);
   const editing::Outcome opened = workplace_->work({});
@@ -72,13 +74,19 @@ Answer Engine::open(const std::string& name, std::string_view bytes, bool repair
                  {"triangles", answer.array(shown_triangles(mesh_.arrays->triangles))},
                  {"size", diagonal_of(*mesh_.arrays)},
                  {"meanEdge", mean_edge_},
-                 {"unit", ""},
+                 {"unit", unit_in(mesh_.frame)},
                  {"repair", opened.repair},
                  {"weld", weld ? weld->told : Json(nullptr)},
                  {"repaired", repair && usable ? repair_told(*plugins_, *mesh_.arrays, weld_within_)
                                                : Json(nullptr)},
                  {"defects", opened.sentence.empty() ? Json(nullptr) : Json(opened.sentence)}};
   return answer;
+}
+
+Answer Engine::set_unit(const std::string& unit) {
+  need_mesh();
+  mesh_.frame = unit.empty() ? file_frame_ : with_unit(file_frame_, unit);
+  return {};
 }
 
 Answer Engine::words() const {
@@ -121,6 +129,7 @@ Answer Engine::smooth(const editing::Drawing& drawing, const std::string& hand) 
   const bool rests = request.hand == editing::Hand::kRests;
   request.wanted.point_fields = rests;
   smoothed_.reset();
+  forget_offsets();
   editing::Outcome outcome = work(std::move(request));
   results_ = std::move(outcome.results);
   last_ = drawing;
@@ -130,6 +139,7 @@ Answer Engine::smooth(const editing::Drawing& drawing, const std::string& hand) 
   Json curves = lines_of(results_, 2 * mean_edge_, answer);
   answer.json = {{"curves", std::move(curves)},
                  {"notes", outcome.notes},
+                 {"final", rests},
                  {"milliseconds", outcome.milliseconds},
                  {"report", report_json(results_).dump(2)}};
   return answer;
@@ -175,12 +185,25 @@ Answer Engine::comb(std::size_t curve, double spacing) const {
   return answer;
 }
 
-Answer Engine::cut(const editing::Drawing& drawing) {
+Answer Engine::offset(const OffsetWish& wish) {
+  if (!smoothed_) throw editing::Error("There is no smoothed curve yet.");
+  if (!offsets_) {
+    offsets_ = std::make_unique<Offsets>(*plugins_, *mesh_.arrays, defects_, weld_within_);
+  }
+  offsets_->make(results_.curves, wish);
+  return offsets_->told();
+}
+
+Answer Engine::cut(const editing::Drawing& drawing, bool along_offset) {
   need_mesh();
-  if (!smoothed_ || !(*smoothed_ == drawing)) static_cast<void>(smooth(drawing, "rests"));
+  const bool is_there = smoothed_ && *smoothed_ == drawing;
+  if (along_offset && (!is_there || !offsets_ || offsets_->curves().empty())) {
+    throw editing::Error("There is no offset to cut along.");
+  }
+  if (!is_there) static_cast<void>(smooth(drawing, "rests"));
   if (results_.curves.empty()) throw editing::Error("There is no smoothed curve to cut along.");
   if (!pieces_) pieces_ = std::make_unique<Pieces>(*plugins_, mesh_, defects_, weld_within_);
-  pieces_->cut(results_.curves);
+  pieces_->cut(along_offset ? offsets_->curves() : results_.curves);
   is_cut_ = true;
   return pieces();
 }
@@ -217,13 +240,17 @@ Answer Engine::labels(std::optional<std::vector<double>> values) const {
   return answer;
 }
 
-Answer Engine::save_curves(const std::string& format) const {
+Answer Engine::save_curves(const std::string& format, const std::string& what) const {
   need_mesh();
-  const bool drawn = format.rfind("drawn.", 0) == 0;
+  const bool drawn = format.rfind("drawn.", 0) == 0, offset = what == "offset";
+  if (offset && (!offsets_ || offsets_->curves().empty())) {
+    throw editing::Error("There is no offset yet.");
+  }
   if (!drawn && results_.curves.empty()) throw editing::Error("There is no smoothed curve yet.");
-  const std::string name = stem_ + (drawn ? "-" : "-smooth.") + format;
-  const std::vector<host::Curve> curves =
-      drawn ? editing::drawn_curves(*mesh_.arrays, last_) : results_.curves;
+  const std::string name = stem_ + "-" + (drawn ? "" : what + ".") + format;
+  const std::vector<host::Curve> curves = drawn    ? editing::drawn_curves(*mesh_.arrays, last_)
+                                          : offset ? offsets_->curves()
+                                                   : results_.curves;
   Answer answer;
   const auto write = [&](const std::string& path) {
     editing::write_curves(*plugins_, path, *mesh_.arrays, curves, mesh_.frame);

@@ -5,7 +5,7 @@
 
 namespace talweg::plugins {
 
-TALWEG_PLUGIN_MODULE(smooth_plugin, draw_plugin, cut_plugin, repair_plugin)
+TALWEG_PLUGIN_MODULE(smooth_plugin, draw_plugin, cut_plugin, offset_plugin, repair_plugin)
 
 }  // namespace talweg::plugins
 

@@ -30,11 +30,25 @@ talweg_status take(void* context, const talweg_mesh_file* file) {
   }
 }
 
+/// The space of a patient's coordinates (talweg_mesh_files.h).
+bool is_space(const std::string& word) { return word == "LPS" || word == "RAS"; }
+
 void note(void* context, const char* text) {
   static_cast<FileMesh*>(context)->left_out.emplace_back(text);
 }
 
 }  // namespace
+
+std::string unit_in(const std::string& frame) {
+  const std::string first = frame.substr(0, frame.find(' '));
+  return is_space(first) ? "" : first;
+}
+
+std::string with_unit(const std::string& frame, const std::string& unit) {
+  const std::string last = frame.substr(frame.rfind(' ') + 1);
+  const std::string space = is_space(last) ? last : "";
+  return unit.empty() || space.empty() ? unit + space : unit + " " + space;
+}
 
 FileMesh read_mesh(const editing::Plugins& plugins, const std::string& path) {
   FileMesh mesh;

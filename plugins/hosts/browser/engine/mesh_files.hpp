@@ -18,6 +18,11 @@ struct FileMesh {
   std::vector<std::string> left_out;  ///< what of the file is not read, a few words each
 };
 
+/// The UCUM code of the unit in a frame; empty without one.
+std::string unit_in(const std::string& frame);
+/// The frame with another unit; an empty one takes it away.
+std::string with_unit(const std::string& frame, const std::string& unit);
+
 /// Throws host::Error with the library's sentence.
 FileMesh read_mesh(const editing::Plugins& plugins, const std::string& path);
 

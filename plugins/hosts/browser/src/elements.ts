@@ -54,12 +54,17 @@ export function element<K extends keyof HTMLElementTagNameMap>(name: K, text = '
   return made;
 }
 
+/** The box of the newest choice: without it a browser may forget it before the person has chosen. */
+let choosing: HTMLInputElement | null = null;
+
 /** Lets the person choose a file. */
 export function chooseFile(accept: string, chosen: (file: File) => void): void {
   const box = document.createElement('input');
+  choosing = box;
   box.type = 'file';
   box.accept = accept;
   box.addEventListener('change', () => {
+    if (choosing === box) choosing = null;
     if (box.files?.[0]) chosen(box.files[0]);
   });
   box.click();

@@ -14,7 +14,8 @@ import { forgetActs } from './panel/forget_panel';
 import { bindHelp } from './panel/help';
 import { bindHint } from './panel/hint';
 import { bindMeshPanel } from './panel/mesh_panel';
-import { bindActs, byId } from './elements';
+import { bindActs, byId, input, numberIn } from './elements';
+import { OffsetPanel } from './panel/offset_panel';
 import { bindReportPanel } from './panel/report_panel';
 import { SettingsPanel } from './panel/settings_panel';
 import { bindShowPanel, worstOf } from './panel/show_panel';
@@ -32,6 +33,7 @@ import { DrawingWork } from './actions/drawing_work';
 import { FilesWork } from './actions/files_work';
 import { Live } from './actions/live';
 import { MeshWork } from './actions/mesh_work';
+import { OffsetWork } from './actions/offset_work';
 
 async function start(store: Store): Promise<void> {
   if (await beginNewerVersion()) return;
@@ -42,7 +44,7 @@ async function start(store: Store): Promise<void> {
 
   const live = new Live(desk);
   const drawing = new DrawingWork(desk, live);
-  const meshes = new MeshWork(desk, live, (shape) => view.showShape(shape), () => stage.camera.lookAslant());
+  const meshes = new MeshWork(desk, live, (ready) => view.showMesh(ready), () => stage.camera.lookAslant());
   const cutting = new CutWork(desk, drawing);
   const files = new FilesWork(desk, drawing, stage);
   const current = new Current(desk, live, meshes, stage.camera);
@@ -62,12 +64,13 @@ async function start(store: Store): Promise<void> {
   const curves = new CurvePanel(store, drawing);
   const cuts = new CutPanel(store, cutting);
   new SettingsPanel(store, drawing);
+  new OffsetPanel(store, new OffsetWork(desk));
   bindShowPanel(store, live);
   const filesPanel = new FilesPanel(desk, store, meshes, files, sessions, cuts);
   bindActs({
     ...curves.acts(), ...cuts.acts(), ...filesPanel.acts(),
     sample: () => meshes.openSample(),
-    repair: () => meshes.repair(),
+    repair: () => meshes.repair(numberIn(input('weld'))),
     end: () => meshes.endWork(),
     undo: () => drawing.undo(),
     redo: () => drawing.redo(),
@@ -85,15 +88,17 @@ async function start(store: Store): Promise<void> {
       const worst = worstOf(store.now);
       if (!worst) return;
       store.set({ show: { ...store.now.show, worst: true } });
-      view.goTo(worst, meshes.picker);
+      view.goTo(worst);
     },
     'go-alert': () => {
       const place = firstVerdict(store.now)?.decisive.find((one) => one.at)?.at;
-      if (place) view.goTo(place, meshes.picker);
+      if (place) view.goTo(place);
     },
     help,
     ...forgetActs(() => sessions.forget()),
   });
+  const unit = byId<HTMLSelectElement>('mesh-unit');
+  unit.addEventListener('change', () => void meshes.setUnit(unit.value));
   const all = byId<HTMLDetailsElement>('mesh-all');
   all.addEventListener('toggle', () => {
     meshes.wantsAll = all.open;

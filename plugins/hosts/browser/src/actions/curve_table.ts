@@ -1,15 +1,19 @@
 // The smoothed curves as a table for spreadsheets: a row for each of their points.
 import type { Line } from '../engine/types';
 
-const head = ['curve', 'length', 'x', 'y', 'z', 'turning', 'deviation'];
+/** With the unit, where it is known. */
+function head(unit: string): string[] {
+  const of = (what: string, power = '') => (unit ? `${what} [${power}${unit}]` : what);
+  return ['curve', of('length'), of('x'), of('y'), of('z'), of('turning', '1/'), of('deviation')];
+}
 
 /**
  * CSV. `length` is that from the curve's beginning; `turning` the geodesic curvature (1 / mesh unit,
  * positive to the left), `deviation` the distance to the drawing: empty where they were not measured.
  */
-export function curveTable(lines: Line[], names: string[]): string {
+export function curveTable(lines: Line[], names: string[], unit: string): string {
   const rows = lines.flatMap((line, k) => rowsOf(line, names[k]));
-  return [head, ...rows].map((row) => row.map(cell).join(',')).join('\r\n') + '\r\n';
+  return [head(unit), ...rows].map((row) => row.map(cell).join(',')).join('\r\n') + '\r\n';
 }
 
 function rowsOf({ positions, turning, deviation }: Line, name: string): (string | number | undefined)[][] {

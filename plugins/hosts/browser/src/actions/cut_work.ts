@@ -3,17 +3,26 @@ import type { Desk } from './desk';
 import type { DrawingWork } from './drawing_work';
 
 export class CutWork {
+  private alongOffset = false;
+
   constructor(private readonly desk: Desk, private readonly drawing: DrawingWork) {}
 
-  async cut(): Promise<void> {
+  /** Along the smoothed curves, or along their offset. */
+  async cut(alongOffset = false): Promise<void> {
     const { store, engine } = this.desk;
     const { drawing, opening } = store.now;
     if (opening) return;
-    const cut = await this.desk.wait('cut', 'Cutting', engine.cut(drawing));
+    const cut = await this.desk.wait('cut', 'Cutting', engine.cut(drawing, alongOffset));
     if (!cut || store.now.drawing !== drawing) return;
+    this.alongOffset = alongOffset;
     store.set({ cut, kept: null, leg: null });
     const parts = cut.parts === 1 ? 'The curves do not take the mesh apart.' : `${cut.parts} parts.`;
     this.desk.tell([parts, ...cut.notes].join(' '));
+  }
+
+  /** All parts of the last cut. */
+  again(): Promise<void> {
+    return this.cut(this.alongOffset);
   }
 
   /** Shows one part alone. */

@@ -3,6 +3,7 @@
 import type { SavedFile } from '../engine/types';
 import type { Stage } from '../view/stage';
 import { nameOf } from '../state/state';
+import { unitOf } from '../state/units';
 import { curveTable } from './curve_table';
 import type { Desk } from './desk';
 import type { DrawingWork } from './drawing_work';
@@ -13,6 +14,10 @@ export class FilesWork {
 
   async saveCurves(format: string): Promise<void> {
     await this.saveWhen(`Writing ${format}`, this.desk.engine.saveCurves(format));
+  }
+
+  async saveOffset(format: string): Promise<void> {
+    await this.saveWhen(`Writing ${format}`, this.desk.engine.saveCurves(format.replace(/^drawn\./, ''), 'offset'));
   }
 
   async saveMesh(format: string): Promise<void> {
@@ -39,7 +44,9 @@ export class FilesWork {
   saveReport(): void {
     const { smoothed } = this.desk.store.now;
     if (!smoothed) return;
-    download(`${this.stem()}-report.json`, new Blob([smoothed.report], { type: 'application/json' }));
+    const unit = unitOf(this.desk.store.now);
+    const report = { ...(unit && { unit }), ...JSON.parse(smoothed.report) as object };
+    download(`${this.stem()}-report.json`, new Blob([JSON.stringify(report, null, 2)], { type: 'application/json' }));
   }
 
   async readCurves(file: File): Promise<void> {
@@ -51,14 +58,20 @@ export class FilesWork {
   async copyTable(): Promise<void> {
     const { smoothed, drawing } = this.desk.store.now;
     if (!smoothed) return;
-    const table = curveTable(smoothed.curves, drawing.curves.map(nameOf));
+    const table = curveTable(smoothed.curves, drawing.curves.map(nameOf), unitOf(this.desk.store.now));
     await this.desk.wait('files', 'Copying the table', navigator.clipboard.writeText(table));
     this.desk.tell('Copied a row for each point of the curves.');
   }
 
   async copyCommand(): Promise<void> {
-    await navigator.clipboard.writeText(this.desk.engine.command());
+    await navigator.clipboard.writeText(this.command());
     this.desk.tell('Copied the command line.');
+  }
+
+  /** Empty without a mesh. */
+  command(): string {
+    const { mesh, offset, offsets } = this.desk.store.now;
+    return mesh ? this.desk.engine.command(offsets && offset.of === null ? offset : null) : '';
   }
 
   /** The mesh's name without its extensions. */

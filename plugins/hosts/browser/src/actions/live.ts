@@ -1,6 +1,6 @@
 // Keeps the smoothed curve beside the drawing: after every edit the newest drawing is smoothed.
 import type { Drawing, Line } from '../engine/types';
-import { emptyDrawing, type Comb, type Place } from '../state/state';
+import { emptyDrawing, noOffset, type Comb, type Place } from '../state/state';
 import { type Desk, isGone, sentenceOf } from './desk';
 
 /** What the hand is doing: while it moves, only what is seen at once is computed. */
@@ -41,8 +41,8 @@ export class Live {
     this.drawnOf = [];
     this.dropLeg();
     this.desk.store.set({
-      drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], cut: null, kept: null,
-      chosen: null, cursor: null, under: { kind: 'nothing' },
+      drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], offset: noOffset, offsets: null, cut: null,
+      kept: null, chosen: null, cursor: null, under: { kind: 'nothing' },
     });
     this.nameSteps();
   }

@@ -3,8 +3,9 @@ import type { MeshInfo } from '../engine/types';
 import { Editor } from '../engine/editor';
 import type { Picker } from '../pick/picker';
 import { type Prepared, Preparer } from '../pick/preparer';
-import type { Shape } from '../pick/shape';
 import { countText } from '../state/numbers';
+import type { Opening } from '../state/state';
+import { unitName } from '../state/units';
 import { type Desk, sentenceOf } from './desk';
 import { type Live, smoothingWords } from './live';
 
@@ -21,7 +22,7 @@ export class MeshWork {
   private ids = 0;
 
   constructor(private readonly desk: Desk, private readonly live: Live,
-              private readonly showShape: (shape: Shape | null) => void,
+              private readonly show: (ready: Prepared) => void,
               private readonly lookAtIt: () => void) {}
 
   /** Resolves as soon as meshes can be opened without a net. Throws Error with a sentence. */
@@ -31,26 +32,37 @@ export class MeshWork {
 
   async openFile(file: File): Promise<boolean> {
     const bytes = await this.desk.wait('mesh', `Reading ${file.name}`, bytesOf(file));
-    return bytes ? this.open(file.name, bytes, false) : false;
+    return bytes ? this.open(file.name, bytes, { repaired: false }) : false;
   }
 
   async openSample(): Promise<boolean> {
     const sample = await this.desk.wait('mesh', 'Making the sample', this.desk.engine.sample());
-    return sample ? this.open(sample.name, sample.bytes, false) : false;
+    return sample ? this.open(sample.name, sample.bytes, { repaired: false }) : false;
   }
 
   /** Opens the mesh once more, mended. The drawing, if any, is of no face numbers that stay: it is put aside. */
-  async repair(): Promise<boolean> {
+  async repair(weld: number | null = null): Promise<boolean> {
     const mesh = this.desk.store.now.mesh;
-    return mesh ? this.open(mesh.name, mesh.bytes, true) : false;
+    return mesh ? this.open(mesh.name, mesh.bytes, { repaired: true, weld, unit: mesh.unit }) : false;
+  }
+
+  /** Says what the mesh's lengths are in, by a UCUM code; empty: what its file says. No number changes. */
+  async setUnit(unit: string): Promise<void> {
+    const { store, engine } = this.desk;
+    const { mesh } = store.now;
+    if (!mesh) return;
+    const done = await this.desk.wait('mesh', 'Setting the unit', engine.setUnit(unit).then(() => true));
+    if (!done || store.now.mesh !== mesh) return;
+    store.set({ mesh: { ...mesh, unit } });
+    this.desk.tell(unit ? `Lengths are in ${unitName(unit)}.` : 'The unit is what the file says.');
   }
 
   /**
    * Opens a mesh and begins a new drawing. Until everything of it is ready, the mesh that was there
    * stays, and so it does where this one fails.
    */
-  open(name: string, bytes: Uint8Array, repaired: boolean): Promise<boolean> {
-    const mine = this.turn.then(() => this.openNow(name, bytes, repaired));
+  open(name: string, bytes: Uint8Array, opening: Opening): Promise<boolean> {
+    const mine = this.turn.then(() => this.openNow(name, bytes, opening));
     this.turn = mine.catch(() => {});
     return mine;
   }
@@ -84,11 +96,11 @@ export class MeshWork {
     if (told !== undefined && store.now.mesh === mesh) store.set({ words: told });
   }
 
-  private async openNow(name: string, bytes: Uint8Array, repaired: boolean): Promise<boolean> {
+  private async openNow(name: string, bytes: Uint8Array, { repaired, weld, unit }: Opening): Promise<boolean> {
     const { desk } = this;
     desk.store.set({ opening: true });
     try {
-      const ready = await this.ready(name, bytes, repaired);
+      const ready = await this.ready(name, bytes, { repaired, weld, unit });
       if (!ready) {
         if (!this.ending) await this.reopen();
         return false;
@@ -96,10 +108,10 @@ export class MeshWork {
       const editor = await Editor.load();
       this.beforeAnother();
       desk.editor = editor;
-      desk.store.set({ mesh: { id: ++this.ids, name, bytes, repaired, info: ready.info }, words: null });
+      desk.store.set({ mesh: { id: ++this.ids, name, bytes, repaired, weld, unit, info: ready.info }, words: null });
       this.live.reset();
       this.picker = ready.picker;
-      this.showShape(ready.shape);
+      this.show(ready);
       this.lookAtIt();
       void this.tellAll();
       desk.tell(`${name}: ${countText(ready.info.faces)} faces. ${ready.info.defects ?? 'Draw on it.'}`);
@@ -110,16 +122,19 @@ export class MeshWork {
   }
 
   /** All that a mesh needs to be seen and drawn on; null if it failed or was ended. */
-  private async ready(name: string, bytes: Uint8Array, repaired: boolean):
+  private async ready(name: string, bytes: Uint8Array, opening: Opening):
     Promise<Prepared & { info: MeshInfo } | null> {
-    const info = await this.desk.wait('mesh', `Opening ${name}`, this.read(name, bytes, repaired));
+    const info = await this.desk.wait('mesh', `Opening ${name}`, this.read(name, bytes, opening));
     if (!info || this.ending) return null;
     const prepared = await this.desk.wait('mesh', 'Preparing the view', this.preparer.prepare(info));
     return prepared && !this.ending ? { info, ...prepared } : null;
   }
 
-  private read(name: string, bytes: Uint8Array, repaired: boolean): Promise<MeshInfo> {
-    return this.desk.engine.open(name, bytes.slice().buffer, repaired);
+  private async read(name: string, bytes: Uint8Array, { repaired, weld, unit }: Opening): Promise<MeshInfo> {
+    const { engine } = this.desk;
+    const info = await engine.open(name, bytes.slice().buffer, repaired, weld ?? null);
+    if (unit) await engine.setUnit(unit);
+    return info;
   }
 
   private async reopen(): Promise<void> {
@@ -127,7 +142,7 @@ export class MeshWork {
     if (!mesh) return;
     // What went wrong before stays told.
     const trouble = this.desk.store.now.trouble.mesh ?? null;
-    await this.desk.wait('mesh', `Opening ${mesh.name}`, this.read(mesh.name, mesh.bytes, mesh.repaired));
+    await this.desk.wait('mesh', `Opening ${mesh.name}`, this.read(mesh.name, mesh.bytes, mesh));
     if (trouble) this.desk.store.trouble('mesh', trouble);
   }
 }

@@ -1,33 +1,48 @@
 // The command line that does what the page does.
-import type { Drawing, MeshInfo } from './types';
+import type { Drawing, OffsetWish } from './types';
+
+/** The mesh's file, and what the driver has to know of it: empty where it needs nothing. */
+export interface MeshWords {
+  name: string;
+  repair: string;
+  unit: string;
+}
 
 /** For a shell, where that is needed. */
 function quoted(word: string): string {
   return /^[\w./+=,-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
 }
 
-/** What repairs a mesh as the page does. */
-export function repairOption({ weld }: MeshInfo): string {
-  return weld && weld.tolerance > 0 ? `--repair=weld=${weld.tolerance},drop,orient,split` : '--repair';
+/** What repairs a mesh as the page does; 0: vertices at one place become one. */
+export function repairOption(tolerance: number): string {
+  return tolerance > 0 ? `--repair=weld=${tolerance},drop,orient,split` : '--repair';
 }
 
-/** Smooths the drawing, saved as drawn.json, on the mesh. Empty without a mesh. */
-export function commandOf(name: string, repair: string, drawing: Drawing | null): string {
+function settingsWords({ settings }: Drawing): string[] {
+  const { tau, slack, maxDeviation, paper, ends, clickDistance } = settings;
+  return [
+    ...(paper ? ['--potential', 'paper', '--tau', String(tau)]
+      : maxDeviation !== null ? ['--max-deviation', String(maxDeviation)] : ['--tau', String(tau)]),
+    ...(slack !== null && !paper ? ['--slack', String(slack)] : []),
+    ...(ends !== 'auto' ? ['--ends', ends] : []),
+    '--border', 'snap',
+    ...(clickDistance !== null ? ['--click-distance', String(clickDistance)] : []),
+  ];
+}
+
+/** Smooths the drawing, saved as drawn.json, on the mesh, and offsets what comes of it. Empty without a mesh. */
+export function commandOf({ name, repair, unit }: MeshWords, drawing: Drawing | null,
+                          offset: Omit<OffsetWish, 'curves'> | null): string {
   if (!name) return '';
   const mesh = name.replace(/\.gz$/i, '');
   const stem = mesh.replace(/\.[^.]*$/, '');
-  const words = ['talweg', 'smooth', mesh, '--curve', `${stem}-drawn.json`];
-  if (drawing) {
-    const { tau, slack, maxDeviation, paper, ends, clickDistance } = drawing.settings;
-    if (paper) words.push('--potential', 'paper', '--tau', String(tau));
-    else if (maxDeviation !== null) words.push('--max-deviation', String(maxDeviation));
-    else words.push('--tau', String(tau));
-    if (slack !== null && !paper) words.push('--slack', String(slack));
-    if (ends !== 'auto') words.push('--ends', ends);
-    words.push('--border', 'snap');
-    if (clickDistance !== null) words.push('--click-distance', String(clickDistance));
+  const ofMesh = [...(repair ? [repair] : []), ...(unit ? ['--mesh-units', unit === '[in_i]' ? 'in' : unit] : [])];
+  const smooth = ['talweg', 'smooth', mesh, '--curve', `${stem}-drawn.json`, ...(drawing ? settingsWords(drawing) : []),
+    ...ofMesh, '-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`];
+  const lines = [smooth];
+  if (offset) {
+    lines.push(['talweg', 'offset', mesh, '--curve', `${stem}-smooth.vtp`, '--distance', String(offset.distance),
+      '--side', offset.side, '--caps', offset.caps, '--ends', 'open', ...ofMesh, '-o', `${stem}-offset.vtp`]);
   }
-  if (repair) words.push(repair);
-  words.push('-o', `${stem}-smooth.vtp`, '--report', `${stem}-report.json`);
-  return words.map(quoted).join(' ');
+  return lines.map((words) => words.map(quoted).join(' ')).join('\n');
 }

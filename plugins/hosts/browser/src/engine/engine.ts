@@ -1,6 +1,8 @@
 // Everything that knows the mesh, in a worker.
 import { commandOf, repairOption } from './command';
-import type { Curve, CutResult, Drawing, Line, MeshInfo, Point, SavedFile, Smoothed } from './types';
+import type {
+  Curve, CutResult, Drawing, Line, MeshInfo, Offset, OffsetWish, Point, SavedFile, Smoothed,
+} from './types';
 import type { Reply, Request } from './worker';
 
 /** A newer request of the same kind has taken this one's place. */
@@ -14,18 +16,18 @@ interface Waiting {
   reject(error: Error): void;
 }
 
-const onlyNewest = new Set(['smooth', 'draw', 'leg']);
+const onlyNewest = new Set(['smooth', 'draw', 'leg', 'offset']);
 
 /**
- * Requests are done one after the other; a leg comes before what waits. Of smooth(), draw() and leg()
- * only the newest of each waits: one that it replaces rejects with Replaced.
+ * Requests are done one after the other; a leg comes before what waits. Of smooth(), draw(), leg()
+ * and offset() only the newest of each waits: one that it replaces rejects with Replaced.
  */
 export class Engine {
   private ids = 0;
   private waiting: Waiting[] = [];
   private running: Waiting | null = null;
   private ended = false;
-  private mesh = { name: '', repair: '' };
+  private mesh = { name: '', repair: '', unit: '' };
   private last: Drawing | null = null;
 
   private constructor(private readonly worker: Worker) {}
@@ -45,12 +47,21 @@ export class Engine {
     });
   }
 
-  /** OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. Takes the bytes: they are not there any more. */
-  async open(name: string, bytes: ArrayBuffer, repair = false): Promise<MeshInfo> {
-    const info = await this.ask<MeshInfo>('open', [name, repair], bytes);
-    this.mesh = { name, repair: repair ? repairOption(info) : '' };
+  /**
+   * OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. Takes the bytes: they are
+   * not there any more. `weld` as in `Opening`.
+   */
+  async open(name: string, bytes: ArrayBuffer, repair = false, weld: number | null = null): Promise<MeshInfo> {
+    const info = await this.ask<MeshInfo>('open', [name, repair, weld], bytes);
+    this.mesh = { name, repair: repair ? repairOption(weld ?? info.weld?.tolerance ?? 0) : '', unit: '' };
     this.last = null;
     return info;
+  }
+
+  /** The unit of the mesh, for files that name one; empty: what its file says. */
+  async setUnit(unit: string): Promise<void> {
+    await this.ask('setUnit', [unit]);
+    this.mesh = { ...this.mesh, unit };
   }
 
   /** What `talweg info` tells. */
@@ -70,15 +81,21 @@ export class Engine {
     return this.ask('comb', [curve, spacing]);
   }
 
-  cut(drawing: Drawing): Promise<CutResult> { return this.ask('cut', [drawing]); }
+  /** Of the last smoothing of a hand at rest. */
+  offset(wish: OffsetWish): Promise<Offset> { return this.ask('offset', [wish]); }
+
+  /** Along the smoothed curves, or along their last offset. */
+  cut(drawing: Drawing, alongOffset = false): Promise<CutResult> { return this.ask('cut', [drawing, alongOffset]); }
   keep(part: number, lids: boolean): Promise<CutResult> { return this.ask('keep', [part, lids]); }
   /** Borders of a label per face, or of the mesh's own labels. */
   labels(values: Int32Array | null): Promise<Curve[]> {
     return this.ask('labels', [values !== null], values?.slice().buffer);
   }
 
-  /** "drawn.json" is the drawing itself, all others are of the smoothed curves. */
-  saveCurves(format: string): Promise<SavedFile> { return this.ask('saveCurves', [format]); }
+  /** "drawn.json" is the drawing itself, all others are of the smoothed curves or their offset. */
+  saveCurves(format: string, what: 'smooth' | 'offset' = 'smooth'): Promise<SavedFile> {
+    return this.ask('saveCurves', [format, what]);
+  }
   /** The mesh, or what the last cut left of it. */
   saveMesh(format: string): Promise<SavedFile> { return this.ask('saveMesh', [format]); }
   /** A file for each part of the cut mesh. */
@@ -87,8 +104,10 @@ export class Engine {
     return this.ask('readCurves', [name], bytes);
   }
 
-  /** The command line that does the same to the saved files. */
-  command(): string { return commandOf(this.mesh.name, this.mesh.repair, this.last); }
+  /** The command line that does the same to the saved files; `offset`: of all curves, if there is one. */
+  command(offset: Omit<OffsetWish, 'curves'> | null): string {
+    return commandOf(this.mesh, this.last, offset);
+  }
 
   /** Ends the worker, whatever it does. */
   end(): void {

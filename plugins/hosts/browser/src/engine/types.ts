@@ -59,7 +59,7 @@ export interface MeshInfo {
   /** Diagonal of the bounding box. */
   size: number;
   meanEdge: number;
-  /** The name of the mesh's unit, empty where the file does not tell it. */
+  /** The UCUM code of the mesh's unit, empty where the file does not tell it. */
   unit: string;
   /** What a repair would do, a sentence each, told as if it was done; empty if there is nothing to do. */
   repair: string[];
@@ -136,9 +136,31 @@ export interface Line {
 export interface Smoothed {
   curves: Line[];
   notes: string[];
+  /** Of a hand at rest: everything is measured. */
+  final: boolean;
   milliseconds: number;
   /** JSON, as the driver's. */
   report: string;
+}
+
+export type Side = 'both' | 'left' | 'right';
+/** Around the ends of an open curve, or cut off there. */
+export type Caps = 'round' | 'none';
+
+export interface OffsetWish {
+  /** Of the last smoothing, from 0. */
+  curves: number[];
+  /** Along the surface, mesh units. */
+  distance: number;
+  side: Side;
+  caps: Caps;
+}
+
+export interface Offset {
+  curves: Line[];
+  /** Of each, as the report has it: "left", "right", or "both" around the ends. */
+  sides: string[];
+  notes: string[];
 }
 
 export interface CutResult {

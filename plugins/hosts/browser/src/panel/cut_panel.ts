@@ -10,7 +10,7 @@ export class CutPanel {
   constructor(store: Store, private readonly cutting: CutWork) {
     input('lids').addEventListener('change', () => void cutting.setLids(input('lids').checked));
     store.watch((now, before) => {
-      if (changed(now, before, 'cut', 'kept', 'smoothed', 'drawing', 'mesh')) this.update(now);
+      if (changed(now, before, 'cut', 'kept', 'smoothed', 'offsets', 'drawing', 'mesh')) this.update(now);
     });
   }
 
@@ -18,7 +18,8 @@ export class CutPanel {
     const { cutting } = this;
     return {
       cut: () => cutting.cut(),
-      'all-parts': () => cutting.cut(),
+      'cut-offset': () => cutting.cut(true),
+      'all-parts': () => cutting.again(),
       uncut: () => cutting.uncut(),
       borders: () => cutting.borders(null),
       'choose-labels': () => chooseFile('.labels,.txt,.csv', (file) => void this.readLabels(file)),
@@ -29,9 +30,10 @@ export class CutPanel {
     await this.cutting.borders(await file.text());
   }
 
-  private update({ cut, kept, smoothed, drawing, mesh }: State): void {
+  private update({ cut, kept, smoothed, offsets, drawing, mesh }: State): void {
     const usable = mesh !== null && mesh.info.defects === null;
     enable('cut', smoothed !== null && !drawing.unfinished && cut === null);
+    enable('cut-offset', offsets !== null && !drawing.unfinished && cut === null);
     enable('borders', usable && !drawing.unfinished);
     enable('choose-labels', usable && !drawing.unfinished);
     enable('save-mesh', cut !== null);

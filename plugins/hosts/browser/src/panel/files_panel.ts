@@ -21,11 +21,11 @@ export class FilesPanel {
               private readonly cuts: CutPanel) {
     const command = byId<HTMLDetailsElement>('command-details');
     const tell = () => {
-      if (command.open) setText('command', store.now.mesh ? this.desk.engine.command() : '');
+      if (command.open) setText('command', this.files.command());
     };
     command.addEventListener('toggle', tell);
     store.watch((now, before) => {
-      if (!changed(now, before, 'mesh', 'smoothed')) return;
+      if (!changed(now, before, 'mesh', 'smoothed', 'offsets')) return;
       const hasCurves = now.smoothed !== null, hasMesh = now.mesh !== null;
       for (const act of ['save-curves', 'save-report', 'copy-table']) enable(act, hasCurves);
       for (const act of ['save-picture', 'choose-curves', 'save-session']) enable(act, hasMesh);
@@ -42,6 +42,7 @@ export class FilesPanel {
       'choose-curves': () => chooseFile(curveFiles, (file) => void files.readCurves(file)),
       'choose-session': () => chooseFile(sessionFiles, (file) => void sessions.openFile(file)),
       'save-curves': () => files.saveCurves(format('curve-format')),
+      'save-offset': () => files.saveOffset(format('curve-format')),
       'save-mesh': () => files.saveMesh(format('mesh-format')),
       'save-parts': () => files.saveParts(format('mesh-format')),
       'save-picture': () => files.savePicture(),

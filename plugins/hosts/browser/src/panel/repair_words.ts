@@ -24,8 +24,8 @@ export function weldWords(weld: Weld, unit: string): string {
 }
 
 /** The headline of what a repair is or was about, and its items; null: there is nothing to tell. */
-export function repairWords(info: MeshInfo): { why: string; items: string[] } | null {
-  const { repaired, defects, repair, weld, unit } = info;
+export function repairWords(info: MeshInfo, unit: string): { why: string; items: string[] } | null {
+  const { repaired, defects, repair, weld } = info;
   if (repaired) {
     return {
       why: `Repaired: ${countText(repaired.faces)} faces and ${countText(repaired.vertices)} vertices.`,

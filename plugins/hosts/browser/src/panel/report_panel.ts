@@ -3,18 +3,20 @@ import type { CurveReport } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { angleText, lengthText, numberText } from '../state/numbers';
+import { unitOf } from '../state/units';
 import { farthestText, farthestWhat } from '../state/verdict';
 import { byId, element, fill } from '../elements';
 
 export function bindReportPanel(store: Store): void {
   store.watch((now, before) => {
-    if (changed(now, before, 'smoothed', 'drawing')) tell(now);
+    if (changed(now, before, 'smoothed', 'drawing', 'mesh')) tell(now);
   });
 }
 
-function tell({ smoothed, drawing, mesh }: State): void {
+function tell(state: State): void {
+  const { smoothed, drawing } = state;
   byId('no-report').hidden = smoothed !== null;
-  const unit = mesh?.info.unit ?? '';
+  const unit = unitOf(state);
   fill('reports', (smoothed?.curves ?? []).map((curve, k) => {
     const name = drawing.curves[k] ? nameOf(drawing.curves[k]) : `Curve ${k + 1}`;
     return table(name, curve.report, unit);
@@ -37,7 +39,7 @@ function table(name: string, report: CurveReport, unit: string): HTMLTableElemen
     ['length', lengthText(report.length, unit) + shorter],
     ['turns by', angleText(report.turning)],
     ['farthest apart', farthestText(report, unit)],
-    ['which is', farthestWhat[report.farthestOf]],
+    ['which is', report.farthest === 0 ? '' : farthestWhat[report.farthestOf]],
     ['on average', report.meanDeviation === null ? '–' : lengthText(report.meanDeviation, unit)],
   ];
   if (report.termination !== 'converged') rows.push(['ended', report.termination]);

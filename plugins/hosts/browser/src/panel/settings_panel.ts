@@ -6,6 +6,7 @@ import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
 import { boundChooses, whySlackIsIdle, whyTauIsIdle } from '../state/idle';
+import { unitOf } from '../state/units';
 import { beyondBound, farthestText } from '../state/verdict';
 import { byId, input, numberIn, setBox, setText } from '../elements';
 import { factors, type Scale, Slider, squares } from './slider';
@@ -100,7 +101,7 @@ export class SettingsPanel {
 
 /** A bound that could not be held says so where it is set. */
 function tellOfBound(state: State): void {
-  const unit = state.mesh?.info.unit ?? '';
+  const unit = unitOf(state);
   const beyond = boundChooses(state.drawing) ? beyondBound(state) : [];
   setText('most-told', beyond.map(({ name, report }) => `${name}: no curve within the bound was found; `
     + `this one and the drawing lie ${farthestText(report, unit)} apart.`).join(' '));

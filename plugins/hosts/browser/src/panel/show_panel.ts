@@ -2,9 +2,10 @@
 import { type Colouring, type Show, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { gradient } from '../view/colours';
-import { rangeOf } from '../view/curve_view';
+import { drawnDistances, rangeOf } from '../view/curve_view';
 import type { Live } from '../actions/live';
 import { lengthText, numberText } from '../state/numbers';
+import { unitOf } from '../state/units';
 import { byId, enable, input, setText } from '../elements';
 
 export function bindShowPanel(store: Store, live: Live): void {
@@ -13,12 +14,13 @@ export function bindShowPanel(store: Store, live: Live): void {
   colour.addEventListener('change', () => set({ colour: colour.value as Colouring }));
   input('show-drawing').addEventListener('change', () => set({ drawing: input('show-drawing').checked }));
   input('show-worst').addEventListener('change', () => set({ worst: input('show-worst').checked }));
+  input('show-lengths').addEventListener('change', () => set({ lengths: input('show-lengths').checked }));
   input('show-comb').addEventListener('change', () => {
     set({ comb: input('show-comb').checked });
     void live.combs();
   });
   store.watch((now, before) => {
-    if (changed(now, before, 'show', 'smoothed', 'mesh')) update(now);
+    if (changed(now, before, 'show', 'smoothed', 'drawn', 'mesh')) update(now);
   });
 }
 
@@ -28,13 +30,14 @@ function update(state: State): void {
   input('show-drawing').checked = show.drawing;
   input('show-comb').checked = show.comb;
   input('show-worst').checked = show.worst;
+  input('show-lengths').checked = show.lengths;
   enable('go-worst', !!smoothed?.curves.some((curve) => curve.report.worst));
-  const range = rangeOf(smoothed?.curves ?? [], show.colour);
+  const range = rangeOf(smoothed?.curves ?? [], show.colour, drawnDistances(state));
   byId('legend').hidden = range === null;
   if (!range) return;
-  const unit = state.mesh?.info.unit ?? '';
+  const unit = unitOf(state);
   const turning = show.colour === 'turning';
-  setText('legend-title', turning ? `turns right – left, in 1/${unit || 'unit'}` : 'distance of the curve to the drawing');
+  setText('legend-title', turning ? `turns right – left, in 1/${unit || 'unit'}` : 'distance of curve and drawing');
   const text = (value: number) => (turning ? numberText(value) : lengthText(value, unit));
   setText('legend-from', text(range.from));
   setText('legend-to', text(range.to));

@@ -4,7 +4,7 @@ import type { Spot, State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { byId, setText } from '../elements';
 
-const spots: Spot[] = ['mesh', 'drawing', 'settings', 'cut', 'files', 'session'];
+const spots: Spot[] = ['mesh', 'drawing', 'settings', 'offset', 'cut', 'files', 'session'];
 /** Work that is shorter is not worth a message. */
 const patience = 500;
 

@@ -33,7 +33,7 @@ export class Asides implements Openings {
     desk.openings = this;
     meshes.beforeAnother = () => this.putAside();
     desk.store.watch((now, before) => {
-      if (now.mesh && now.mesh !== before.mesh && !current.opening) void this.meet(now.mesh);
+      if (now.mesh && now.mesh.id !== before.mesh?.id && !current.opening) void this.meet(now.mesh);
       if (now.asides !== before.asides) this.keep();
     });
   }
@@ -43,6 +43,13 @@ export class Asides implements Openings {
     const known = this.list.map(({ session }) => session.drawing);
     const more = sessions.filter(({ drawing }) => !known.includes(drawing)).map((session) => this.asideOf(session, null));
     if (more.length > 0) this.set([...this.list, ...more]);
+  }
+
+  /** After a reload: Undo gives back what the mesh has taken the place of, if nothing is drawn on it yet. */
+  standBehind(): void {
+    const [newest] = this.list;
+    const { drawing } = this.desk.store.now;
+    if (newest?.session.mesh?.bytes.length && drawing.curves.length === 0) this.place(newest, null);
   }
 
   async bringBack(id: number): Promise<void> {
@@ -128,7 +135,8 @@ export class Asides implements Openings {
       && mesh.name === name && (mesh.faces === undefined || mesh.faces === info.faces));
     if (!waiting) return;
     this.set(this.list.filter((one) => one !== waiting));
-    if (waiting.session.mesh?.repaired && !repaired) await this.meshes.repair();
+    if (waiting.session.mesh?.repaired && !repaired) await this.meshes.repair(waiting.session.mesh.weld);
+    if (waiting.session.mesh?.unit) await this.meshes.setUnit(waiting.session.mesh.unit);
     this.current.restore(waiting.session, waiting.editor);
   }
 

@@ -4,6 +4,7 @@ import { sentenceOf } from '../actions/desk';
 import type { Live } from '../actions/live';
 import type { MeshWork } from '../actions/mesh_work';
 import type { Editor } from '../engine/editor';
+import { firstState, noOffset } from '../state/state';
 import type { ViewCamera } from '../view/camera';
 import type { Session } from './session';
 
@@ -15,11 +16,12 @@ export class Current {
               private readonly camera: ViewCamera) {}
 
   session(): Session | null {
-    const { mesh, show } = this.desk.store.now;
+    const { mesh, show, offset } = this.desk.store.now;
     if (!mesh) return null;
-    const { name, repaired, bytes, info: { faces } } = mesh;
+    const { name, repaired, weld, unit, bytes, info: { faces } } = mesh;
     return {
-      mesh: { name, repaired, bytes, faces }, drawing: this.desk.editor.state(), camera: this.camera.state(), show,
+      mesh: { name, repaired, weld, unit, bytes, faces }, drawing: this.desk.editor.state(),
+      camera: this.camera.state(), show, offset,
     };
   }
 
@@ -28,7 +30,7 @@ export class Current {
     const { mesh } = session;
     this.opening = true;
     try {
-      if (!mesh || !(await this.meshes.open(mesh.name, mesh.bytes, mesh.repaired))) return false;
+      if (!mesh || !(await this.meshes.open(mesh.name, mesh.bytes, mesh))) return false;
     } finally {
       this.opening = false;
     }
@@ -42,7 +44,7 @@ export class Current {
     try {
       if (editor) desk.editor = editor;
       else desk.editor.restore(session.drawing);
-      desk.store.set({ show: session.show });
+      desk.store.set({ show: { ...firstState.show, ...session.show }, offset: session.offset ?? noOffset });
       this.camera.restore(session.camera);
       this.live.refresh();
     } catch (error) {

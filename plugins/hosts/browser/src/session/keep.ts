@@ -10,6 +10,8 @@ export const askedKey = 'talweg.keep';
 /** What browsers let a tab keep, in characters, less some air. */
 const tabRoom = 4_500_000;
 
+/** The mesh that is to be kept, and the one that the tab has, or has no room for. */
+let wanted: Uint8Array | null = null;
 let keptInTab: Uint8Array | null = null;
 let keptOnMachine: Uint8Array | null = null;
 let asides: Session[] = [];
@@ -50,6 +52,7 @@ export function keepOnMachine(keep: boolean): Promise<void> {
 export async function keep(session: Session): Promise<boolean> {
   const bytes = session.mesh?.bytes ?? new Uint8Array();
   const drawing = drawingText(session);
+  wanted = bytes;
   if (bytes !== keptInTab) sessionStorage.removeItem(meshKey);
   sessionStorage.setItem(drawingKey, drawing);
   return inTurn(() => keepWhole(bytes, drawing));
@@ -67,7 +70,6 @@ async function keepWhole(bytes: Uint8Array, drawing: string): Promise<boolean> {
     await keepMeshInTab(bytes);
     await keepAsideMeshes();
   }
-  keptInTab = bytes;
   return writesOnMachine() || sessionStorage.getItem(meshKey) !== null;
 }
 
@@ -127,6 +129,8 @@ export function forgetAll(): Promise<void> {
 async function keepMeshInTab(bytes: Uint8Array): Promise<void> {
   sessionStorage.removeItem(meshKey);
   const text = await textOfBytes(bytes);
+  if (bytes !== wanted) return;  // another one has come meanwhile
+  keptInTab = bytes;
   if (text === null || text.length > tabRoom) return;
   try {
     sessionStorage.setItem(meshKey, text);

@@ -29,7 +29,9 @@ export class SessionWork {
         byId('other-tab').hidden = !now.otherTab;
       }
       if (now === before) return;
-      if (changed(now, before, 'drawing', 'mesh', 'show') && now.mesh) this.soon();
+      if (changed(now, before, 'drawing', 'mesh', 'show', 'offset') && now.mesh) this.soon();
+      // Packing a mesh takes a while: it has to begin before the page may be left.
+      if (now.mesh && now.mesh.bytes !== before.mesh?.bytes) setTimeout(() => void this.keepNow());
     });
     addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') void this.keepNow();
@@ -47,7 +49,11 @@ export class SessionWork {
     // A page that was left while another mesh came has the same drawing twice.
     this.asides.add((all ?? []).filter(({ drawing }) => drawing !== session?.drawing));
     if (!session?.mesh) return false;
-    if (session.mesh.bytes.length > 0) return this.current.open(session);
+    if (session.mesh.bytes.length > 0) {
+      const opened = await this.current.open(session);
+      this.asides.standBehind();
+      return opened;
+    }
     this.asides.add([session]);  // it waits for its mesh
     return false;
   }

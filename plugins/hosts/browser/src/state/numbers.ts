@@ -13,9 +13,10 @@ export function lengthText(value: number, unit: string): string {
   return unit ? `${numberText(value)} ${unit}` : numberText(value);
 }
 
-/** An angle in radians, told in degrees. */
+/** An angle in radians, told in degrees; what is less than a thousandth of one is rounding. */
 export function angleText(value: number): string {
-  return `${numberText((value * 180) / Math.PI)}°`;
+  const degrees = (value * 180) / Math.PI;
+  return `${numberText(Math.abs(degrees) < 1e-3 ? 0 : degrees)}°`;
 }
 
 export function countText(value: number): string {

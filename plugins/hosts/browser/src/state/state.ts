@@ -1,5 +1,7 @@
 // Everything that the page shows, as one value. Parts of it are replaced, never changed in place.
-import type { Curve, CutResult, Drawing, Line, MeshInfo, Smoothed, Vec3 } from '../engine/types';
+import type {
+  Caps, Curve, CutResult, Drawing, Line, MeshInfo, Offset, Side, Smoothed, Vec3,
+} from '../engine/types';
 import type { Aside } from '../session/asides';
 
 /** A place on the mesh. */
@@ -9,13 +11,21 @@ export interface Place {
   position: Vec3;
 }
 
-export interface OpenMesh {
+/** How a mesh was opened, to open it so again. */
+export interface Opening {
+  repaired: boolean;
+  /** A repair welds within so many mesh units; null: as far as the mesh seems to ask for. */
+  weld?: number | null;
+  /** The UCUM code of the unit that a person has said; empty: what its file says. */
+  unit?: string;
+}
+
+export interface OpenMesh extends Opening {
   /** Tells one opened mesh from the next. */
   id: number;
   name: string;
   /** The file as it came: for the session, and for an engine that had to be ended. */
   bytes: Uint8Array;
-  repaired: boolean;
   info: MeshInfo;
 }
 
@@ -33,6 +43,19 @@ export interface Show {
   comb: boolean;
   worst: boolean;
   colour: Colouring;
+  /** Lengths, written beside the curves. */
+  lengths: boolean;
+}
+
+/** Curves at a distance from the smoothed ones. */
+export interface OffsetSettings {
+  on: boolean;
+  /** The number of a curve of the drawing; null: all of them. */
+  of: number | null;
+  /** Along the surface, mesh units. */
+  distance: number;
+  side: Side;
+  caps: Caps;
 }
 
 export interface Chosen {
@@ -48,7 +71,7 @@ export interface Comb {
 }
 
 /** The parts of the panel beside which sentences about trouble stand. */
-export type Spot = 'mesh' | 'drawing' | 'settings' | 'cut' | 'files' | 'session';
+export type Spot = 'mesh' | 'drawing' | 'settings' | 'offset' | 'cut' | 'files' | 'session';
 
 export interface State {
   mesh: OpenMesh | null;
@@ -69,6 +92,9 @@ export interface State {
   /** The next leg, from the last point to the mouse; three numbers per point. */
   leg: Float64Array | null;
   combs: Comb[];
+  offset: OffsetSettings;
+  /** What came of it; null while there is none. */
+  offsets: Offset | null;
   cut: CutResult | null;
   /** Which part of the cut is kept alone; null: all are there. */
   kept: number | null;
@@ -92,6 +118,9 @@ export const emptyDrawing: Drawing = {
   settings: { tau: 1, slack: null, maxDeviation: null, paper: false, ends: 'auto', clickDistance: null },
 };
 
+/** The distance is chosen for the mesh. */
+export const noOffset: OffsetSettings = { on: false, of: null, distance: 0, side: 'both', caps: 'round' };
+
 export const firstState: State = {
   mesh: null,
   opening: false,
@@ -105,13 +134,15 @@ export const firstState: State = {
   smoothed: null,
   leg: null,
   combs: [],
+  offset: noOffset,
+  offsets: null,
   cut: null,
   kept: null,
   lids: false,
   chosen: null,
   cursor: null,
   under: { kind: 'nothing' },
-  show: { drawing: true, comb: false, worst: false, colour: 'plain' },
+  show: { drawing: true, comb: false, worst: false, colour: 'plain', lengths: true },
   busy: null,
   trouble: {},
   told: '',

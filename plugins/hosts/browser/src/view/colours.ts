@@ -7,6 +7,7 @@ export interface Colours {
   inside: string;
   drawn: string;
   result: string;
+  offset: string;
   leg: string;
   point: string;
   pin: string;
@@ -22,6 +23,7 @@ const light: Colours = {
   inside: '#a58f86',
   drawn: '#b3261e',
   result: '#0b4fc4',
+  offset: '#00695c',
   leg: '#c75b12',
   point: '#ffffff',
   pin: '#d81b60',
@@ -38,6 +40,7 @@ const dark: Colours = {
   inside: '#6d5c56',
   drawn: '#ff6f61',
   result: '#2f7bff',
+  offset: '#35e0c0',
   leg: '#ffa14a',
   comb: '#c79bf2',
 };

@@ -2,8 +2,9 @@
 import { Color, Group } from 'three';
 import type { Line2 } from 'three/examples/jsm/lines/Line2.js';
 import type { Line } from '../engine/types';
-import type { Chosen, Colouring } from '../state/state';
+import type { Chosen, Colouring, State } from '../state/state';
 import { growingColour, twoWayColour } from './colours';
+import { distancesTo } from './distances';
 import { dispose, fatLine, setDashes } from './fat_line';
 import type { Stage } from './stage';
 
@@ -13,12 +14,22 @@ export interface Range {
   to: number;
 }
 
+/**
+ * How far the drawing is from the curves at its points, while this is a colour: parts that were cut off
+ * have it where the curves have none.
+ */
+export function drawnDistances({ drawn, smoothed, show }: State): Float64Array[] {
+  if (show.colour !== 'deviation' || !smoothed) return [];
+  return drawn.map((line, k) => (smoothed.curves[k] ? distancesTo(line, smoothed.curves[k]) : new Float64Array()));
+}
+
 /** What turning and deviation are at most, over all curves; null where nothing was measured. */
-export function rangeOf(curves: Line[], colour: Colouring): Range | null {
+export function rangeOf(curves: Line[], colour: Colouring, more: Float64Array[] = []): Range | null {
   if (colour === 'plain') return null;
-  const values = curves.flatMap((curve) => Array.from(curve[colour])).filter(Number.isFinite);
+  const values = [...curves.map((curve) => curve[colour]), ...more].flatMap((some) => Array.from(some))
+    .filter(Number.isFinite);
   if (values.length === 0) return null;
-  if (colour === 'deviation') return { from: 0, to: Math.max(...values) };
+  if (colour === 'deviation') return { from: 0, to: values.reduce((a, b) => Math.max(a, b)) };
   // A few sharp corners would leave all else grey: the scale ends where 95 of 100 points are.
   const sizes = values.map(Math.abs).sort((a, b) => a - b);
   const most = sizes[Math.floor(0.95 * (sizes.length - 1))] || sizes[sizes.length - 1];
@@ -28,27 +39,27 @@ export function rangeOf(curves: Line[], colour: Colouring): Range | null {
 export class CurveView {
   private readonly drawnGroup = new Group();
   private readonly resultGroup = new Group();
+  private readonly offsetGroup = new Group();
   private legLine: Line2 | null = null;
 
   constructor(private readonly stage: Stage) {
-    stage.scene.add(this.drawnGroup, this.resultGroup);
+    stage.scene.add(this.drawnGroup, this.resultGroup, this.offsetGroup);
   }
 
-  showDrawn(curves: Line[], visible: boolean): void {
+  /** `distances`: of each curve at its points, for colours in this range. */
+  showDrawn(curves: Line[], distances: Float64Array[], range: Range | null): void {
     empty(this.drawnGroup);
-    if (visible) {
-      for (const curve of curves) {
-        if (curve.positions.length < 6) continue;
-        const look = { colour: this.stage.colours.drawn, width: 2 };
-        this.drawnGroup.add(fatLine(curve.positions, curve.closed, look));
-      }
-    }
+    curves.forEach((curve, k) => {
+      if (curve.positions.length < 6) return;
+      const colours = range && distances[k]?.length > 0 ? coloursAlong(distances[k], range) : undefined;
+      const look = { colour: this.stage.colours.drawn, width: colours ? 3 : 2, colours };
+      this.drawnGroup.add(fatLine(curve.positions, curve.closed, look));
+    });
     this.stage.ask();
   }
 
-  showResult(curves: Line[], colour: Colouring, chosen: Chosen | null): void {
+  showResult(curves: Line[], colour: Colouring, range: Range | null, chosen: Chosen | null): void {
     empty(this.resultGroup);
-    const range = rangeOf(curves, colour);
     curves.forEach((curve, index) => {
       if (curve.positions.length < 6) return;
       const width = chosen?.curve === index ? 5.5 : 4;
@@ -61,6 +72,15 @@ export class CurveView {
         ? coloursAlong(curve[colour], range) : undefined;
       this.resultGroup.add(behind, fatLine(curve.positions, curve.closed, { ...plain, colours }));
     });
+    this.stage.ask();
+  }
+
+  showOffsets(curves: Line[]): void {
+    empty(this.offsetGroup);
+    const look = { colour: this.stage.colours.offset, width: 3 };
+    for (const { positions, closed } of curves) {
+      if (positions.length >= 6) this.offsetGroup.add(fatLine(positions, closed, look));
+    }
     this.stage.ask();
   }
 

@@ -4,6 +4,7 @@ import {
 } from 'three';
 import type { CutResult } from '../engine/types';
 import type { Shape } from '../pick/shape';
+import { coarseFaces, coarser } from './coarse';
 import { sideColour } from './colours';
 import type { Stage } from './stage';
 
@@ -13,14 +14,19 @@ export class MeshView {
   private readonly body = new Mesh(new BufferGeometry(), this.plain);
   private readonly parts = new Mesh(new BufferGeometry(), this.coloured);
 
+  private readonly coarse = new Mesh(new BufferGeometry(), this.plain);
+  private shape: Shape | null = null;
   private cut: CutResult | null = null;
 
   constructor(private readonly stage: Stage) {
-    stage.backdrop.scene.add(this.body, this.parts);
+    stage.backdrop.scene.add(this.body, this.coarse, this.parts);
     this.parts.visible = false;
     this.body.visible = false;
     // Everything is in view as a rule, and a million faces need no second box.
     this.body.frustumCulled = false;
+    this.coarse.frustumCulled = false;
+    this.coarse.visible = false;
+    stage.onSlow = (took) => void this.makeCoarse(took);
     this.parts.frustumCulled = false;
     stage.onColours((colours) => this.plain.color.set(colours.mesh));  // the stage draws anew
   }
@@ -28,7 +34,11 @@ export class MeshView {
   /** Shows another mesh; null: none. */
   show(shape: Shape | null): void {
     this.body.geometry.dispose();
+    this.coarse.geometry.dispose();
     this.body.geometry = new BufferGeometry();
+    this.coarse.geometry = new BufferGeometry();
+    this.shape = shape;
+    this.stage.backdrop.hold({ whole: this.body, coarse: null, faces: 0 });
     this.body.visible = shape !== null;
     if (shape) {
       this.body.geometry.setAttribute('position', new BufferAttribute(shape.positions, 3));
@@ -38,6 +48,19 @@ export class MeshView {
       this.stage.camera.hold(ball.center, ball.radius || 1);
     }
     this.showCut(null);
+  }
+
+  private async makeCoarse(took: number): Promise<void> {
+    const { shape } = this;
+    const faces = shape && coarseFaces(shape.index.length / 3, took);
+    if (!shape || !faces || this.coarse.geometry.index) return;
+    const index = await coarser(shape, faces);
+    if (!index || this.shape !== shape) return;
+    const { position, normal } = this.body.geometry.attributes;
+    this.coarse.geometry.setAttribute('position', position);
+    this.coarse.geometry.setAttribute('normal', normal);
+    this.coarse.geometry.setIndex(new BufferAttribute(index, 1));
+    this.stage.backdrop.hold({ whole: this.body, coarse: this.coarse, faces });
   }
 
   /** Shows the parts of a cut mesh in colours; null: the mesh as it was. */

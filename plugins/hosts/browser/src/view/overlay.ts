@@ -1,41 +1,108 @@
-// What lies over the canvas at places of the mesh: the keyboard's cursor, and where curves deviate
-// most. These are elements of the page, sharp at every size.
+// What lies over the canvas at places of the mesh: the keyboard's cursor, where curves deviate most, and
+// lengths. These are elements of the page, sharp at every size.
 import type { Vec3 } from '../engine/types';
 import type { Stage } from './stage';
 
-export class Overlay {
-  private places = new Map<HTMLElement, Vec3>();
+export interface Mark {
+  /** With `ahead` the first of these that will do is taken; without there is one. */
+  places: Vec3[];
+  /** Of each the next place of a curve, beside which the text stands; else the text is to the right. */
+  ahead?: Vec3[];
+  text: string;
+}
 
-  constructor(private readonly stage: Stage, private readonly box: HTMLElement) {
+interface Placed extends Mark {
+  /** Which place it has; it stays there while that is seen. */
+  now: number;
+  label: HTMLElement | null;
+}
+
+/** Pixels between a curve and its label. */
+const gap = 7;
+
+interface Pixel {
+  x: number;
+  y: number;
+}
+
+/** Where a label is on the screen. */
+interface Box extends Pixel {
+  width: number;
+  height: number;
+}
+
+export class Overlay {
+  private placed = new Map<HTMLElement, Placed>();
+
+  /** `isSeen`: whether nothing lies before a place. */
+  constructor(private readonly stage: Stage, private readonly box: HTMLElement,
+              private readonly isSeen: (place: Vec3) => boolean) {
     stage.afterEach(() => this.follow());
   }
 
-  /** A mark of a class, with a text beside it; null takes it away. */
-  mark(name: string, marks: { place: Vec3; text: string }[]): void {
-    for (const element of [...this.places.keys()].filter((e) => e.classList.contains(name))) {
-      this.places.delete(element);
+  /** Marks of a class, each with a text beside it, in place of those that were there. */
+  mark(name: string, marks: Mark[]): void {
+    for (const element of [...this.placed.keys()].filter((e) => e.classList.contains(name))) {
+      this.placed.delete(element);
       element.remove();
     }
-    for (const { place, text } of marks) {
+    for (const mark of marks) {
+      const { text } = mark;
+      let label: HTMLElement | null = null;
       const element = document.createElement('div');
       element.className = `mark ${name}`;
       element.append(document.createElement('i'));
       if (text) {
-        const label = document.createElement('span');
+        label = document.createElement('span');
         label.textContent = text;
         element.append(label);
       }
       this.box.append(element);
-      this.places.set(element, place);
+      this.placed.set(element, { ...mark, now: 0, label });
     }
     this.stage.ask();
   }
 
   private follow(): void {
-    for (const [element, place] of this.places) {
-      const at = this.stage.onScreen(place);
-      element.hidden = at === null;
+    const taken: Box[] = [];
+    for (const [element, placed] of this.placed) {
+      const at = placed.ahead ? this.besideCurve(placed, taken) : this.stage.onScreen(placed.places[0]);
+      element.hidden = !at;
       if (at) element.style.transform = `translate(${at.x.toFixed(1)}px, ${at.y.toFixed(1)}px)`;
     }
   }
+
+  /** Puts a label beside the first place that is seen and where no other label is; null: there is none. */
+  private besideCurve(placed: Placed, taken: Box[]): Pixel | null {
+    const { places, ahead, label } = placed;
+    if (!label || !ahead) return null;
+    label.parentElement!.hidden = false;  // only what is shown has a size
+    const width = label.offsetWidth, height = label.offsetHeight;
+    for (let k = 0; k < places.length; ++k) {
+      const next = (placed.now + k) % places.length;
+      if (!this.stage.isInView(places[next]) || !this.isSeen(places[next])) continue;
+      const at = this.stage.onScreen(places[next]), to = this.stage.onScreen(ahead[next]);
+      if (!at || !to) continue;
+      const box = boxBeside(at, to, width, height);
+      if (taken.some((other) => overlap(box, other))) continue;
+      taken.push(box);
+      placed.now = next;
+      label.style.left = `${(box.x - at.x).toFixed(1)}px`;
+      label.style.top = `${(box.y - at.y).toFixed(1)}px`;
+      return at;
+    }
+    return null;
+  }
+}
+
+/** A box of this size on the lower side of a line that goes from a pixel to another. */
+function boxBeside(at: Pixel, to: Pixel, width: number, height: number): Box {
+  const dx = to.x - at.x, dy = to.y - at.y, length = Math.hypot(dx, dy) || 1;
+  const sign = dx < 0 ? -1 : 1, across = { x: (-sign * dy) / length, y: (sign * dx) / length };
+  const away = gap + (width * Math.abs(across.x) + height * Math.abs(across.y)) / 2;
+  return { x: at.x + across.x * away - width / 2, y: at.y + across.y * away - height / 2, width, height };
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }

@@ -9,7 +9,9 @@ import { coloursFor, type Colours } from './colours';
 
 export class Stage {
   readonly camera = new ViewCamera();
-  readonly backdrop = new Backdrop();
+  readonly backdrop = new Backdrop(() => this.ask(), (took) => this.onSlow(took));
+  /** Drawing the mesh takes so many ms that a coarser one is wanted while it turns. */
+  onSlow: (took: number) => void = () => {};
   /** What lies on the mesh. */
   readonly scene = new Scene();
   /** What turns with the eye: the light comes over the left shoulder. */
@@ -74,6 +76,14 @@ export class Stage {
     p.project(this.camera.three);
     if (!(p.z < 1)) return null;
     return { x: ((p.x + 1) / 2) * this.camera.width, y: ((1 - p.y) / 2) * this.camera.height, distance };
+  }
+
+  /** Whether a position is on the canvas, not just at its rim. */
+  isInView(position: Vec3): boolean {
+    const p = this.onScreen(position);
+    const rim = 20;
+    return p !== null && Math.abs(2 * p.x - this.camera.width) < this.camera.width - 2 * rim
+      && Math.abs(2 * p.y - this.camera.height) < this.camera.height - 2 * rim;
   }
 
   /** The way from the eye through a pixel. */

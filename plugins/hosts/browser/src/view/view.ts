@@ -2,15 +2,17 @@
 import { Vector3 } from 'three';
 import type { Vec3 } from '../engine/types';
 import type { Picker } from '../pick/picker';
-import type { Shape } from '../pick/shape';
+import type { Prepared } from '../pick/preparer';
 import { changed, type Store } from '../state/store';
 import type { State } from '../state/state';
 import { CombView } from './comb_view';
-import { CurveView } from './curve_view';
+import { CurveView, drawnDistances, rangeOf } from './curve_view';
 import { MeshView } from './mesh_view';
-import { Overlay } from './overlay';
+import { lengthLabels } from './length_labels';
+import { type Mark, Overlay } from './overlay';
 import { PointsView } from './points_view';
 import type { Stage } from './stage';
+import { unitOf } from '../state/units';
 import { farthestText, verdicts } from '../state/verdict';
 
 export class View {
@@ -19,18 +21,20 @@ export class View {
   private readonly points: PointsView;
   private readonly combs: CombView;
   private readonly overlay: Overlay;
+  private picker: Picker | null = null;
 
   constructor(private readonly stage: Stage, box: HTMLElement, store: Store) {
     this.mesh = new MeshView(stage);
     this.curves = new CurveView(stage);
     this.points = new PointsView(stage);
     this.combs = new CombView(stage);
-    this.overlay = new Overlay(stage, box);
+    this.overlay = new Overlay(stage, box, (place) => !this.picker?.isHidden(place, stage.camera.three.position));
     store.watch((now, before) => this.update(now, before));
     stage.onColours(() => this.update(store.now, store.now));
   }
 
-  showShape(shape: Shape | null): void {
+  showMesh({ shape, picker }: Prepared): void {
+    this.picker = picker;
     this.mesh.show(shape);
     this.stage.ask();
   }
@@ -41,21 +45,23 @@ export class View {
   }
 
   /** Turns to a place on the mesh, as seen from outside. */
-  goTo(place: Vec3, picker: Picker | null): void {
-    this.stage.camera.lookAt(new Vector3(...place), picker?.normalNear(place) ?? new Vector3(0, 0, 1));
+  goTo(place: Vec3): void {
+    this.stage.camera.lookAt(new Vector3(...place), this.picker?.normalNear(place) ?? new Vector3(0, 0, 1));
     this.stage.ask();
+  }
+
+  private showCurves(now: State, whole: boolean): void {
+    const { show, smoothed, drawn, chosen } = now;
+    const distances = drawnDistances(now), range = rangeOf(smoothed?.curves ?? [], show.colour, distances);
+    this.curves.showDrawn(show.drawing && whole ? drawn : [], distances, range);
+    this.curves.showResult(smoothed?.curves ?? [], show.colour, range, chosen);
   }
 
   private update(now: State, before: State): void {
     const { show } = now;
     const whole = now.cut === null;
     if (changed(now, before, 'cut')) this.mesh.showCut(now.cut);
-    if (changed(now, before, 'drawn', 'show', 'cut')) {
-      this.curves.showDrawn(now.drawn, show.drawing && whole);
-    }
-    if (changed(now, before, 'smoothed', 'show', 'chosen')) {
-      this.curves.showResult(now.smoothed?.curves ?? [], show.colour, now.chosen);
-    }
+    if (changed(now, before, 'drawn', 'smoothed', 'show', 'cut', 'chosen')) this.showCurves(now, whole);
     if (changed(now, before, 'drawing', 'mesh', 'chosen', 'show', 'cut')) {
       const mesh = whole && now.mesh ? now.mesh.info : null;
       this.points.show(now.drawing, mesh, now.chosen);
@@ -63,10 +69,14 @@ export class View {
     if (changed(now, before, 'leg')) this.curves.showLeg(now.leg);
     if (changed(now, before, 'combs', 'show')) this.combs.show(show.comb ? now.combs : []);
     if (changed(now, before, 'cursor')) {
-      this.overlay.mark('cursor', now.cursor ? [{ place: now.cursor.position, text: '' }] : []);
+      this.overlay.mark('cursor', now.cursor ? [{ places: [now.cursor.position], text: '' }] : []);
     }
-    if (changed(now, before, 'smoothed', 'show')) this.overlay.mark('worst', worstPlaces(now));
-    if (changed(now, before, 'smoothed', 'drawing', 'cut')) {
+    if (changed(now, before, 'smoothed', 'offsets', 'show', 'mesh', 'drawing')) {
+      this.overlay.mark('length', lengthLabels(now));
+    }
+    if (changed(now, before, 'offsets')) this.curves.showOffsets(now.offsets?.curves ?? []);
+    if (changed(now, before, 'smoothed', 'show', 'mesh')) this.overlay.mark('worst', worstPlaces(now));
+    if (changed(now, before, 'smoothed', 'drawing', 'cut', 'mesh')) {
       this.overlay.mark('alarm', whole ? alarmPlaces(now) : []);
     }
   }
@@ -76,18 +86,18 @@ export class View {
 function worstPlaces(state: State) {
   if (!state.show.worst || !state.smoothed) return [];
   return state.smoothed.curves.flatMap(({ report }) => report.worst
-    ? [{ place: report.worst, text: farthestText(report, state.mesh?.info.unit ?? '') }] : []);
+    ? [{ places: [report.worst], text: farthestText(report, unitOf(state)) }] : []);
 }
 
 /** The places of what decides whether a curve can be used; of several warnings at one place one. */
 function alarmPlaces(state: State) {
-  const unit = state.mesh?.info.unit ?? '';
-  const marks = new Map<string, { place: Vec3; text: string }>();
+  const unit = unitOf(state);
+  const marks = new Map<string, Mark>();
   for (const { report, decisive } of verdicts(state)) {
     for (const { at } of decisive) {
       if (!at) continue;
       const isFarthest = report.worst?.every((x, k) => x === at[k]);
-      marks.set(at.join(), { place: at, text: isFarthest ? farthestText(report, unit) : '' });
+      marks.set(at.join(), { places: [at], text: isFarthest ? farthestText(report, unit) : '' });
     }
   }
   return [...marks.values()];

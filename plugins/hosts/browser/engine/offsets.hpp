@@ -1,0 +1,42 @@
+// Offsets are curves at a distance along the surface from the smoothed ones (talweg.offset).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "answer.hpp"
+#include "talweg/editing/workplace.hpp"
+
+namespace talweg::browser {
+
+/// `OffsetWish` in src/engine/types.ts.
+struct OffsetWish {
+  std::vector<std::size_t> curves;  ///< of the last smoothing, from 0
+  double distance = 0;              ///< along the surface, mesh units
+  std::string side = "both";        ///< both, left or right
+  std::string caps = "round";       ///< round or none
+};
+
+OffsetWish offset_wish_of(const Json& json);
+
+class Offsets {
+ public:
+  /// A mesh that is repaired may be welded within a tolerance, in mesh units.
+  Offsets(const editing::Plugins& plugins, const editing::MeshArrays& mesh,
+          editing::Defects defects, double weld_within);
+
+  /// Throws host::Error with the library's sentence, also where no point is that far away.
+  void make(const std::vector<host::Curve>& curves, const OffsetWish& wish);
+  void clear() { results_ = {}; }
+
+  [[nodiscard]] const std::vector<host::Curve>& curves() const { return results_.curves; }
+  /// `Offset` in src/engine/types.ts.
+  [[nodiscard]] Answer told() const;
+
+ private:
+  host::Services services_;
+  host::Instance instance_;
+  host::Results results_;
+};
+
+}  // namespace talweg::browser

@@ -1,0 +1,16 @@
+// Units of length, by their UCUM codes, which files and the driver have.
+import type { State } from './state';
+
+/** Those that a person can choose. */
+export const units = ['um', 'mm', 'cm', 'm', '[in_i]'];
+
+const names: Record<string, string> = { um: 'µm', '[in_i]': 'inch', '[ft_i]': 'ft' };
+
+export function unitName(code: string): string {
+  return names[code] ?? code;
+}
+
+/** The name of the unit of the open mesh's lengths; empty: nobody has told it. */
+export function unitOf({ mesh }: State): string {
+  return mesh ? unitName(mesh.unit || mesh.info.unit) : '';
+}
