@@ -66,7 +66,7 @@ TEST_F(PathsIntoAFace, AreCounted) {
 
 TEST_F(PathsIntoAFace, ComeThroughWindows) {
   // A window from (0.25, -1) through the whole base.
-  const LedIn entering{test::window_from(0.25, -1, 0, 1), 1, 0, true};
+  const EnteringWindow entering{test::window_from(0.25, -1, 0, 1), 1, 0, true};
   paths_.windows = {&entering, 1};
   paths_.corners[1] = {5, 0, 0};
   const auto hit = paths_.hit(at_);
@@ -79,7 +79,7 @@ TEST_F(PathsIntoAFace, ComeThroughWindows) {
 
 TEST_F(PathsIntoAFace, ComeThroughWindowsThatRunAgainstTheSide) {
   // The same window, turned: the face is below the edge.
-  const LedIn entering{test::window_from(0.25, -1, 0, 1).turned(1), 1, 0, false};
+  const EnteringWindow entering{test::window_from(0.25, -1, 0, 1).turned(1), 1, 0, false};
   paths_.windows = {&entering, 1};
   const auto hit = paths_.hit(at_);
   const double way = std::hypot(0.5, 1.5);
@@ -121,11 +121,11 @@ TEST(KnownFaces, StayAsTheyWereCopied) {
   ASSERT_TRUE(faces.contain(face));
   EXPECT_EQ(faces.at(face).front, 0);
   while (!front.is_done()) front.march();
-  EXPECT_TRUE(std::isinf(faces.at(face).ways.hit(middle).nearest.distance));
+  EXPECT_TRUE(std::isinf(faces.at(face).paths.hit(middle).nearest.distance));
 
   faces.copy(face, front, no_pieces);
   faces.copy(FaceId{0}, front, no_pieces);
-  EXPECT_NEAR(faces.at(face).ways.hit(middle).nearest.distance, expected, 1e-9);
+  EXPECT_NEAR(faces.at(face).paths.hit(middle).nearest.distance, expected, 1e-9);
   EXPECT_TRUE(std::isinf(faces.at(face).front));
   faces.clear();
   EXPECT_FALSE(faces.contain(face));
