@@ -1,5 +1,6 @@
-"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and connectome-workbench, in the
-driver and in Python; and what the driver writes, seen by these programs."""
+"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and
+connectome-workbench, in the driver and in Python; and what the driver writes, seen by these
+programs."""
 
 import json
 import sys
