@@ -129,7 +129,7 @@ def check_theirs(folder):
 
 
 def main():
-    folder = Path(sys.argv[1])
+    folder = Path(sys.argv[1]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     try:
         write_inputs(folder)

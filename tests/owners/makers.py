@@ -242,7 +242,7 @@ def write_off(path, vertices, faces):
 def main():
     import meshio as io
     mesh = io.read(sys.argv[1])
-    folder = Path(sys.argv[2])
+    folder = Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for maker in MAKERS:
         if maker.__name__ in sys.argv[3:] or len(sys.argv) == 3:
