@@ -1,21 +1,27 @@
 // Base64 holds bytes as text, three in four characters.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace talweg::formats {
 
+constexpr std::array<std::int8_t, 256> kBase64Digits = [] {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::array<std::int8_t, 256> values{};
+  values.fill(-1);
+  for (std::size_t k = 0; k < kDigits.size(); ++k) {
+    values[static_cast<unsigned char>(kDigits[k])] = static_cast<std::int8_t>(k);
+  }
+  return values;
+}();
+
 /// The value of a digit; -1 for other characters.
-inline int base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+') return 62;
-  if (c == '/') return 63;
-  return -1;
-}
+inline int base64_digit(char c) { return kBase64Digits[static_cast<unsigned char>(c)]; }
 
 /// The bytes of a text (RFC 4648, padding may be missing); false if it is not base64.
 inline bool from_base64(std::string_view text, std::string& bytes) {

@@ -29,7 +29,10 @@ class ByteStream {
       at_ += n;
       return std::string(stored_.substr(at_ - n, n));
     }
-    while (pending_.size() < n) decode_quad();
+    pending_.reserve(n + 3);
+    while (pending_.size() < n) {
+      if (!decode_plain_quad()) decode_quad();
+    }
     std::string result = pending_.substr(0, n);
     pending_.erase(0, n);
     return result;
@@ -43,6 +46,24 @@ class ByteStream {
     }
     if (at_ == stored_.size()) throw std::runtime_error("the data ends too early");
     return stored_[at_++];
+  }
+
+  /// Four digits without blanks or padding; false for anything else.
+  bool decode_plain_quad() {
+    if (stored_.size() - at_ < 4) return false;
+    std::uint32_t bits = 0;
+    int all = 0;
+    for (const char c : stored_.substr(at_, 4)) {
+      const int digit = base64_digit(c);
+      all |= digit;  // negative if one is
+      bits = bits << 6U | static_cast<std::uint32_t>(digit & 63);
+    }
+    if (all < 0) return false;
+    at_ += 4;
+    const char bytes[] = {static_cast<char>(bits >> 16U), static_cast<char>(bits >> 8U),
+                          static_cast<char>(bits)};
+    pending_.append(bytes, sizeof bytes);
+    return true;
   }
 
   void decode_quad() {

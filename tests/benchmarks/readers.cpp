@@ -1,6 +1,8 @@
-// talweg-readers: how long reading one mesh takes in each format, here and in other libraries.
+// talweg-readers MESH [FILE...]: how long reading one mesh takes in each format, here and in other
+// libraries; and in the files of the same mesh that other programs have written.
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -27,7 +29,6 @@
 
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
-#include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::benchmarks {
 namespace {
@@ -106,24 +107,34 @@ void write_text_stl(const fs::path& file, const MeshLists& lists) {
   std::ofstream(file, std::ios::binary) << text << "endsolid mesh\n";
 }
 
-/// The shortest of five times, in ms; "-" where the reader cannot read it.
+/// The shortest of five times of the processor, in ms; "-" where the reader cannot read it.
 std::string time_of(const Reader& reader, const std::string& file, std::size_t faces) {
   double best = 0;
   for (int k = 0; k < 5; ++k) {
-    const Stopwatch watch;
+    const std::clock_t begin = std::clock();
     std::size_t found = 0;
     try {
       found = reader.faces(file);
     } catch (const std::exception&) {
     }
-    const double ms = watch.ms();
+    const double ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     if (found != faces) return "-";
     best = k == 0 ? ms : std::min(best, ms);
   }
   return fmt::format("{:.0f}", best);
 }
 
-void run(const fs::path& mesh) {
+/// A line of the table.
+void print_row(const std::string& name, const fs::path& file, const std::vector<Reader>& all,
+               std::size_t faces) {
+  fmt::print("\n| {} |", name);
+  for (const Reader& reader : all) {
+    fmt::print(" {} |", time_of(reader, file.string(), faces));
+    std::fflush(stdout);
+  }
+}
+
+void run(const fs::path& mesh, const std::vector<fs::path>& others) {
   const fs::path folder = fs::temp_directory_path() / fmt::format("talweg-readers-{}", getpid());
   fs::create_directory(folder);
   const MeshLists lists = read_mesh(mesh);
@@ -140,14 +151,9 @@ void run(const fs::path& mesh) {
   for (const Reader& reader : all) fmt::print(" {} |", reader.name);
   fmt::print("\n|---|");
   for (std::size_t i = 0; i < all.size(); ++i) fmt::print("--:|");
-  for (const auto& [format, file] : formats) {
-    fmt::print("\n| {} |", format);
-    std::fflush(stdout);
-    for (const Reader& reader : all) {
-      fmt::print(" {} |", time_of(reader, (folder / file).string(), lists.triangles.size()));
-      std::fflush(stdout);
-    }
-  }
+  const std::size_t faces = lists.triangles.size();
+  for (const auto& [format, file] : formats) print_row(format, folder / file, all, faces);
+  for (const fs::path& file : others) print_row(file.filename().string(), file, all, faces);
   fmt::print("\n");
   fs::remove_all(folder);
 }
@@ -156,12 +162,12 @@ void run(const fs::path& mesh) {
 }  // namespace talweg::benchmarks
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fputs("usage: talweg-readers MESH\n", stderr);
+  if (argc < 2) {
+    std::fputs("usage: talweg-readers MESH [FILE...]\n", stderr);
     return 1;
   }
   try {
-    talweg::benchmarks::run(argv[1]);
+    talweg::benchmarks::run(argv[1], {argv + 2, argv + argc});
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "talweg-readers: %s\n", error.what());

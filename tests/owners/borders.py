@@ -1,5 +1,6 @@
-"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and connectome-workbench, in the
-driver and in Python; and what the driver writes, seen by these programs."""
+"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and
+connectome-workbench, in the driver and in Python; and what the driver writes, seen by these
+programs."""
 
 import json
 import sys
@@ -128,7 +129,7 @@ def check_theirs(folder):
 
 
 def main():
-    folder = Path(sys.argv[1])
+    folder = Path(sys.argv[1]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     try:
         write_inputs(folder)

@@ -104,13 +104,12 @@ def gmsh(folder, mesh):
     return files
 
 
-def vtk(folder, mesh):
-    """Legacy files of both encodings and versions; XML files, as they are and packed."""
+def _polydata(mesh):
+    """:raises Missing: without VTK."""
     try:
         from vtkmodules.util.numpy_support import numpy_to_vtk
         from vtkmodules.vtkCommonCore import vtkPoints
         from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-        from vtkmodules import vtkIOGeometry, vtkIOLegacy, vtkIOPLY, vtkIOXML
     except ImportError:
         raise Missing("there is no VTK (Debian: python3-paraview or python3-vtk9)") from None
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
@@ -119,35 +118,41 @@ def vtk(folder, mesh):
         cells.InsertNextCell(3, face)
     data.SetPoints(points)
     data.SetPolys(cells)
+    return data
+
+
+def vtk(folder, mesh):
+    """Legacy files of both encodings and versions; XML files, as they are and packed."""
+    data = _polydata(mesh)
+    from vtkmodules.vtkIOGeometry import vtkSTLWriter
+    from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
+    from vtkmodules.vtkIOPLY import vtkPLYWriter
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
     files = []
 
-    def written(writer, name, **settings):
+    def written(writer, name, *settings, bound=1e-6):
         writer.SetInputData(data)
         writer.SetFileName(str(folder / name))
-        for setting, value in settings.items():
-            getattr(writer, setting)(*value)
+        for setting in settings:
+            getattr(writer, setting)()
         if writer.Write() != 1:
             raise AssertionError(f"VTK did not write {name}")
-        files.append(File(name))
+        files.append(File(name, bound))
 
-    legacy = vtkIOLegacy.vtkPolyDataWriter
     for version in (42, 51):
-        for kind in ("ASCII", "Binary"):
-            written(legacy(), f"vtk-{version}-{kind}.vtk", SetFileVersion=(version,),
-                    **{f"SetFileTypeTo{kind}": ()})
-            if kind == "ASCII":
-                files[-1].bound = SIX_DIGITS
+        for kind, bound in (("ASCII", SIX_DIGITS), ("Binary", 1e-6)):
+            writer = vtkPolyDataWriter()
+            writer.SetFileVersion(version)
+            written(writer, f"vtk-{version}-{kind}.vtk", f"SetFileTypeTo{kind}", bound=bound)
     for mode in ("Ascii", "Binary", "Appended"):
         for packed in ("None", "ZLib"):
-            written(vtkIOXML.vtkXMLPolyDataWriter(), f"vtk-{mode}-{packed}.vtp",
-                    **{f"SetDataModeTo{mode}": (), f"SetCompressorTypeTo{packed}": ()})
-    written(vtkIOXML.vtkXMLPolyDataWriter(), "vtk-encoded-big.vtp", SetDataModeToAppended=(),
-            EncodeAppendedDataOn=(), SetByteOrderToBigEndian=(), SetHeaderTypeToUInt32=())
-    written(vtkIOPLY.vtkPLYWriter(), "vtk-big.ply", SetFileTypeToBinary=(),
-            SetDataByteOrderToBigEndian=())
-    written(vtkIOPLY.vtkPLYWriter(), "vtk-text.ply", SetFileTypeToASCII=())
-    files[-1].bound = SIX_DIGITS
-    written(vtkIOGeometry.vtkSTLWriter(), "vtk.stl", SetFileTypeToBinary=())
+            written(vtkXMLPolyDataWriter(), f"vtk-{mode}-{packed}.vtp", f"SetDataModeTo{mode}",
+                    f"SetCompressorTypeTo{packed}")
+    written(vtkXMLPolyDataWriter(), "vtk-raw-big.vtp", "SetDataModeToAppended", "EncodeAppendedDataOff",
+            "SetByteOrderToBigEndian", "SetHeaderTypeToUInt32")
+    written(vtkPLYWriter(), "vtk-big.ply", "SetFileTypeToBinary", "SetDataByteOrderToBigEndian")
+    written(vtkPLYWriter(), "vtk-text.ply", "SetFileTypeToASCII", bound=SIX_DIGITS)
+    written(vtkSTLWriter(), "vtk.stl", "SetFileTypeToBinary")
     return files
 
 
@@ -237,7 +242,7 @@ def write_off(path, vertices, faces):
 def main():
     import meshio as io
     mesh = io.read(sys.argv[1])
-    folder = Path(sys.argv[2])
+    folder = Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for maker in MAKERS:
         if maker.__name__ in sys.argv[3:] or len(sys.argv) == 3:

@@ -147,7 +147,7 @@ def made(folder, mesh, programs):
 
 
 def main():
-    folder, hosts = Path(sys.argv[1]), sys.argv[2].split(",")
+    folder, hosts = Path(sys.argv[1]).resolve(), sys.argv[2].split(",")
     page = Path(os.environ.get("TALWEG_PAGE", ""), "talweg.js")
     if "page" in hosts and (shutil.which("node") is None or not page.is_file()):
         print("skipped: the page is not built (./run page)")

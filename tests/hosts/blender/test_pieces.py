@@ -261,6 +261,23 @@ class Meshes(Dressed):
         normals = attributes.read(self.obj.data.polygons, "normal", 3)
         self.assertTrue((normals[:, 2] > 0).all() or (normals[:, 2] < 0).all())
 
+    def test_vertices_that_nearly_coincide(self):
+        """Every face for itself, one of them moved a little."""
+        bpy.ops.object.select_all(action="DESELECT")
+        self.obj.select_set(True)
+        whole = len(self.obj.data.vertices)
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="SELECT")
+        bpy.ops.mesh.edge_split(type="EDGE")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        for vertex in self.obj.data.polygons[100].vertices:
+            self.obj.data.vertices[vertex].co.z += 1e-4
+        self.obj.data.update()
+        self.assertEqual(bpy.ops.talweg.repair(), {"FINISHED"})
+        self.assertGreater(len(self.obj.data.vertices), whole)
+        self.assertEqual(bpy.ops.talweg.repair(weld_within=1e-3), {"FINISHED"})
+        self.assertEqual(len(self.obj.data.vertices), whole)
+
     def test_the_sidebar_tells_what_was_done(self):
         self.obj.data.polygons[100].flip()
         self.obj.data.update()

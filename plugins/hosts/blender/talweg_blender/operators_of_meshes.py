@@ -140,11 +140,14 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
             and context.object.type == "MESH"
 
     def steps(self, _context, obj):
-        steps = ",".join(name for name in ("weld", "drop", "orient", "split") if getattr(self, name))
+        steps = [name for name in ("weld", "drop", "orient", "split") if getattr(self, name)]
         if not steps:
             raise talweg.BadUsage("No step of the repair is chosen.")
+        if self.weld and self.weld_within > 0:
+            steps[0] = f"weld={self.weld_within!r}"
         obj.update_from_editmode()
-        fixed, warnings = yield from cutting.repair(obj, drawings.MeshArrays(obj.data), steps)
+        fixed, warnings = yield from cutting.repair(obj, drawings.MeshArrays(obj.data),
+                                                   ",".join(steps))
         offers.forget(obj)
         return " ".join(fixed.changes) or "The mesh needs no repair.", warnings
 
@@ -164,6 +167,10 @@ def _properties():
         name=name.capitalize(), default=True,
         description=talweg.plugin("talweg.repair").parameters["repair_" + name].doc.rstrip("."))
         for name in ("weld", "drop", "orient", "split")}
+    within = talweg.plugin("talweg.repair").parameters["repair_weld_tolerance"]
+    steps["weld_within"] = bpy.props.FloatProperty(
+        name="Weld within", default=0, min=0, precision=6, step=0.01, unit="LENGTH",
+        description=within.doc.rstrip("."))
     opened = talweg.plugin("talweg.cut").parameters["open"]
     return {TALWEG_OT_cut: {"open": bpy.props.BoolProperty(
                 name=opened.label, default=False, description=opened.doc.rstrip("."))},
