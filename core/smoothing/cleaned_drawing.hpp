@@ -39,6 +39,9 @@ struct CleanedDrawing {
   [[nodiscard]] std::vector<StrokeSlack> slacks() const;
 };
 
+/// Whether the same is smoothed, and told, of the same given curves.
+bool is_same(const CleanedDrawing& a, const CleanedDrawing& b);
+
 /// What the report on a curve says of what was given.
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given, SmoothingReport& report);
 

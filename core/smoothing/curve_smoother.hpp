@@ -59,9 +59,10 @@ class CurveSmoother {
   /// Error(kBadUsage) when no curve is set.
   bool need_distance(const Progress& progress = {});
 
-  /// Changes the pins of the curves that are set; the distance stays as it is. Only for the
-  /// corridor. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
-  /// that is not a point of the drawing, or for another method.
+  /// Changes the pins of the curves that are set, with the same results as set_curves() with these
+  /// pins; the distance stays as it is, unless pins change what is left out of a stroke. Only for
+  /// the corridor. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a
+  /// pin that is not a point of the drawing, or for another method.
   bool set_pins(std::span<const SurfacePoint> pins, const Progress& progress = {});
 
   /// The smoothed curves. The cost depends on what the curves touch, not on the size of the mesh.
@@ -117,6 +118,8 @@ class CurveSmoother {
   void check(const SmoothingOptions& options) const;
   bool set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
            std::optional<std::vector<double>> distance, const Progress& progress);
+  [[nodiscard]] bool is_cleaned_alike(const CurveOptions& options, const Progress& progress) const;
+  bool set_anew(const CurveOptions& options, const Progress& progress);
   SmoothingResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                          const Progress& progress);
   SmoothingResult smooth_ordered(const SmoothingOptions& options, const GivenPotential* given,
