@@ -28,7 +28,7 @@ class ListWriter {
  private:
   void write_vertices();
   void write_faces();
-  /// Reports the copying of row number `rows` to the asker, in blocks.
+  /// Reports the copying of row number `rows` to the poller, in blocks.
   void did_rows(std::size_t rows) {
     constexpr std::size_t kBlock = 4096;  // a row takes some ten nanoseconds
     if (rows % kBlock == 0) poller_.add_work(kBlock / 10);

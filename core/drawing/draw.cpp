@@ -6,6 +6,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 namespace {
@@ -41,11 +42,11 @@ Drawing draw(const Surface& surface, std::span<const SurfacePoint> given,
   Drawing drawing;
   drawing.curve = edges ? along_edges(surface, clicks, options.closed, progress)
                         : StraightLines(surface).join(clicks, options.closed, progress);
+  if (!options.tolerance) return drawing;
+  PointLookup known;
   for (const SurfacePoint& click : clicks) {
-    const auto known = [&](const WayPoint& way) { return way.point == click; };
-    if (!options.tolerance ||
-        std::any_of(drawing.way_points.begin(), drawing.way_points.end(), known))
-      continue;
+    if (known.contains(click)) continue;
+    known.add(click);
     drawing.way_points.push_back({click, *options.tolerance});
   }
   return drawing;

@@ -32,8 +32,7 @@ struct DrawOptions {
 /// along edges, where it never passes itself. Clicks are settled first (straight_lines.hpp).
 /// Throws Error(kBadCurve) for less than two points, or where the next cannot be reached,
 /// Error(kBadUsage) for a negative tolerance, and Cancelled. O(vertices) for memory, and a way of
-/// EdgeDijkstra or StraightLines to each click. Worse: each click is compared with all others
-/// before it, n² for n clicks that are way-points.
+/// EdgeDijkstra or StraightLines to each click.
 Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
              const DrawOptions& options = {}, const Progress& progress = {});
 Drawing draw(const Surface& surface, std::span<const VertexId> clicks,

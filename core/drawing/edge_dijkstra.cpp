@@ -4,14 +4,21 @@
 #include <string>
 #include <utility>
 
+#include "talweg/core/drawing/edge_landmarks.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
 namespace {
 
+constexpr std::size_t kOfEntry = 8;  // units of work
+
 std::string text(VertexId v) { return std::to_string(v.index()); }
 
 }  // namespace
+
+bool EdgeDijkstra::later(const Entry& a, const Entry& b) {
+  return a.distance != b.distance ? a.distance > b.distance : a.vertex > b.vertex;
+}
 
 EdgeDijkstra::EdgeDijkstra(const Surface& surface)
     : surface_(&surface),
@@ -20,6 +27,8 @@ EdgeDijkstra::EdgeDijkstra(const Surface& surface)
       settled_stamp_(surface.vertex_count(), 0),
       distance_(surface.vertex_count()),
       parent_(surface.vertex_count()) {}
+
+EdgeDijkstra::~EdgeDijkstra() = default;
 
 std::vector<VertexId> EdgeDijkstra::draw(std::span<const VertexId> through, bool closed,
                                          const Progress& progress) {
@@ -135,13 +144,36 @@ bool EdgeDijkstra::append_leg(VertexId from, VertexId to, bool not_along_edge,
 }
 
 bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks) {
-  const auto later = [](const Entry& a, const Entry& b) {
-    return a.distance != b.distance ? a.distance > b.distance : a.vertex > b.vertex;
-  };
+  constexpr std::size_t kPatience = 16;  // whole meshes; landmarks cost nine
+  if (!landmarks_ && looked_at_ > kPatience * surface_->vertex_count()) {
+    landmarks_ = std::make_unique<EdgeLandmarks>(*surface_, from, poller_);
+  }
+  if (landmarks_ && obey_blocks) {
+    search_with_landmarks(from, to, not_along_edge);
+    if (!reached(to)) return false;
+    if (find_parents(from, to, not_along_edge)) return true;
+  }
+  return search_around(from, to, not_along_edge, obey_blocks);
+}
+
+/// Calls `visit` with each neighbour and the length of the edge to it.
+template <class Visit>
+void EdgeDijkstra::visit_neighbours(VertexId vertex, const Visit& visit) const {
+  const HalfedgeId first = surface_->halfedge(vertex);
+  if (!first.valid()) return;
+  HalfedgeId h = first;
+  do {
+    visit(surface_->head(h), surface_->length(edge_of(h)));
+    if (!surface_->has_face(h)) break;
+    h = surface_->turn_ccw(h);
+  } while (h != first);
+}
+
+bool EdgeDijkstra::search_around(VertexId from, VertexId to, bool not_along_edge,
+                                 bool obey_blocks) {
   ++search_;
   heap_.clear();
   reach(from, VertexId{}, 0);
-  constexpr std::size_t kOfEntry = 8;  // units of work
   while (!heap_.empty()) {
     poller_.add_work(kOfEntry);
     std::pop_heap(heap_.begin(), heap_.end(), later);
@@ -149,25 +181,69 @@ bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool 
     heap_.pop_back();
     if (settled_stamp_[top.vertex.index()] == search_) continue;
     settled_stamp_[top.vertex.index()] = search_;
+    ++looked_at_;
     if (top.vertex == to) return true;
-
-    const HalfedgeId first = surface_->halfedge(top.vertex);
-    if (!first.valid()) continue;
-    HalfedgeId h = first;
-    do {
-      const VertexId v = surface_->head(h);
+    visit_neighbours(top.vertex, [&](VertexId v, double length) {
       const bool closed_way = (obey_blocks && v != to && blocked(v)) ||
                               (not_along_edge && top.vertex == from && v == to);
-      if (!closed_way && settled_stamp_[v.index()] != search_) {
-        const std::size_t size = heap_.size();
-        reach(v, top.vertex, top.distance + surface_->length(edge_of(h)));
-        if (heap_.size() > size) std::push_heap(heap_.begin(), heap_.end(), later);
-      }
-      if (!surface_->has_face(h)) break;
-      h = surface_->turn_ccw(h);
-    } while (h != first);
+      if (closed_way || settled_stamp_[v.index()] == search_) return;
+      const std::size_t size = heap_.size();
+      reach(v, top.vertex, top.distance + length);
+      if (heap_.size() > size) std::push_heap(heap_.begin(), heap_.end(), later);
+    });
   }
   return false;
+}
+
+/// Distances of all vertices on shortest ways, which are the same as those of search_around(): a
+/// vertex is looked at again where a shorter way to it comes later, and the search goes on until
+/// no way is left that could be as short, but for rounding.
+void EdgeDijkstra::search_with_landmarks(VertexId from, VertexId to, bool not_along_edge) {
+  constexpr double kAsShort = 1 + 1e-9;
+  ++search_;
+  heap_.clear();
+  landmarks_->aim(to);
+  const auto go_to = [&](VertexId v, double distance) {
+    if (reached(v) && distance >= distance_[v.index()]) return;
+    reach_stamp_[v.index()] = search_;
+    distance_[v.index()] = distance;
+    heap_.push_back({distance + landmarks_->bound(v), v});
+    std::push_heap(heap_.begin(), heap_.end(), later);
+  };
+  go_to(from, 0);
+  while (!heap_.empty()) {
+    poller_.add_work(kOfEntry);
+    std::pop_heap(heap_.begin(), heap_.end(), later);
+    const Entry top = heap_.back();
+    heap_.pop_back();
+    if (reached(to) && top.distance > kAsShort * distance_[to.index()]) return;
+    const double here = distance_[top.vertex.index()];
+    if (top.vertex == to || top.distance > here + landmarks_->bound(top.vertex)) continue;
+    visit_neighbours(top.vertex, [&](VertexId v, double length) {
+      const bool closed_way =
+          (v != to && blocked(v)) || (not_along_edge && top.vertex == from && v == to);
+      if (!closed_way) go_to(v, here + length);
+    });
+  }
+}
+
+/// The smallest of the predecessors on shortest ways; false where an edge has no length beside the
+/// way to it, since the order of search_around() decides there.
+bool EdgeDijkstra::find_parents(VertexId from, VertexId to, bool not_along_edge) {
+  for (VertexId v = to; v != from; v = parent_[v.index()]) {
+    const double distance = distance_[v.index()];
+    VertexId parent;
+    bool without_length = false;
+    visit_neighbours(v, [&](VertexId u, double length) {
+      if (!reached(u) || u == to || (not_along_edge && v == to && u == from)) return;
+      if (distance_[u.index()] + length != distance) return;
+      without_length = without_length || !(distance_[u.index()] < distance);
+      if (!parent.valid() || u < parent) parent = u;
+    });
+    if (without_length || !parent.valid()) return false;
+    parent_[v.index()] = parent;
+  }
+  return true;
 }
 
 /// Notes a way to an unsettled vertex and appends it to the heap when it is shorter.

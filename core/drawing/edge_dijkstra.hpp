@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -12,13 +13,18 @@
 
 namespace talweg {
 
+class EdgeLandmarks;
+
 /// Dijkstra's algorithm on the edges of a surface, with memory that is allocated once: a call that
-/// looks at m edges costs O(m log m), whatever the size of the mesh. The surface must outlive the
-/// object. One thread at a time.
+/// looks at m edges costs O(m log m), whatever the size of the mesh: for a leg of length r it is a
+/// disc of radius r. After searches over as much as some whole meshes an object makes landmarks and
+/// looks only where the bounds that they give leave ways that may be shortest; the paths are the
+/// same. The surface must outlive the object. One thread at a time.
 class EdgeDijkstra {
  public:
   /// O(vertices).
   explicit EdgeDijkstra(const Surface& surface);
+  ~EdgeDijkstra();
 
   /// Shortest edge paths between successive vertices, joined to one path that meets no vertex
   /// twice: no leg runs over a vertex of an earlier leg, or over a way-point that is not its own
@@ -45,16 +51,24 @@ class EdgeDijkstra {
 
  private:
   struct Entry {
-    double distance;
+    double distance;  ///< or a bound of that of the whole way
     VertexId vertex;
   };
+
+  static bool later(const Entry& a, const Entry& b);
 
   void check(std::span<const VertexId> through) const;
   std::vector<VertexId> drawn(std::span<const VertexId> through, bool closed);
   bool append_redrawn(VertexId from, VertexId over, VertexId to, std::vector<VertexId>& path);
   /// Appends the path from just behind `from` to `to`; false where there is none.
   bool append_leg(VertexId from, VertexId to, bool not_along_edge, std::vector<VertexId>& path);
+  /// A way to `to` in parent_; false where there is none.
   bool search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
+  bool search_around(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
+  void search_with_landmarks(VertexId from, VertexId to, bool not_along_edge);
+  bool find_parents(VertexId from, VertexId to, bool not_along_edge);
+  template <class Visit>
+  void visit_neighbours(VertexId vertex, const Visit& visit) const;
   void reach(VertexId vertex, VertexId from, double distance);
   [[noreturn]] void no_path(std::size_t leg, VertexId from, VertexId to);
 
@@ -72,6 +86,8 @@ class EdgeDijkstra {
   std::vector<double> distance_;
   std::vector<VertexId> parent_;
   std::vector<Entry> heap_;
+  std::size_t looked_at_ = 0;  // vertices, in all searches
+  std::unique_ptr<EdgeLandmarks> landmarks_;
   ProgressPoller poller_{{}, "draw"};
 };
 

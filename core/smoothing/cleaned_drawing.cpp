@@ -228,6 +228,19 @@ std::vector<StrokeSlack> CleanedDrawing::slacks() const {
   return slacks;
 }
 
+bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
+  const auto same_curve = [](const CleanedCurve& one, const CleanedCurve& other) {
+    return one.curve.points == other.curve.points && one.places == other.places &&
+           one.slack.slack == other.slack.slack && one.slack.source == other.slack.source &&
+           one.slack.along == other.slack.along && one.told == other.told;
+  };
+  const auto same_way = [](const WayPoint& one, const WayPoint& other) {
+    return one.point == other.point && one.tolerance == other.tolerance;
+  };
+  return a.painted == b.painted && std::ranges::equal(a.curves, b.curves, same_curve) &&
+         std::ranges::equal(a.way_points, b.way_points, same_way);
+}
+
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
                      SmoothingReport& report) {
   report.warnings.insert(report.warnings.end(), curve.told.begin(), curve.told.end());

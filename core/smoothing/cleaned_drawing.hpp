@@ -40,6 +40,9 @@ struct CleanedDrawing {
   [[nodiscard]] std::vector<StrokeSlack> slacks() const;
 };
 
+/// Whether two cleanings of the same given curves keep the same points and report the same.
+bool is_same(const CleanedDrawing& a, const CleanedDrawing& b);
+
 /// Adds the cleaning of a curve to its report: warnings, points left out, and the measures of the
 /// given curve.
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given, SmoothingReport& report);

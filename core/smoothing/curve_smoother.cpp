@@ -49,13 +49,6 @@ bool same_result(const SmoothingOptions& a, const SmoothingOptions& b) {
          a.min_relative_length == b.min_relative_length && a.length_floor == b.length_floor;
 }
 
-bool are_points_of(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> points) {
-  PointLookup passed;
-  for (const SurfaceCurve& curve : curves) passed.add_all(curve.points);
-  return std::all_of(points.begin(), points.end(),
-                     [&](const SurfacePoint& point) { return passed.contains(point); });
-}
-
 /// Whether only tau has changed for a curve, by at most 5 %, a small step of a slider.
 bool is_small_step(const SmoothingOptions& last, const SmoothingOptions& options,
                    std::size_t curve) {
@@ -158,14 +151,15 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
   if (!domain_) bad_usage("No curve is set.");
   if (curve_options_.method != Method::kCorridor) bad_usage("set_pins() needs the corridor.");
   check_pins(given_, pins);
-  const std::vector<SurfacePoint> own(pins.begin(), pins.end());  // `pins` may be pins()
-  if (!are_points_of(drawing_->drawn(), own)) {  // cleaning removed a point that is now a pin
-    CurveOptions options = curve_options_;
-    options.pins = own;
-    return set(given_, options, std::nullopt, progress);
+  CurveOptions options = curve_options_;
+  options.pins.assign(pins.begin(), pins.end());
+  try {
+    if (!is_cleaned_alike(options, progress)) return set_anew(options, progress);
+  } catch (const Cancelled&) {
+    return false;
   }
   try {
-    domain_->set_pins(own, progress);
+    domain_->set_pins(options.pins, progress);
   } catch (const Cancelled&) {
     domain_->set_pins(curve_options_.pins, {});
     return false;
@@ -173,9 +167,31 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
     domain_->set_pins(curve_options_.pins, {});
     throw;
   }
-  curve_options_.pins = own;
+  curve_options_.pins = std::move(options.pins);
   last_.reset();
   return true;
+}
+
+/// Whether the given curves lose the same points with other pins: a pin may divide a rest. How
+/// exact strokes are depends on pins only where way-points make legs.
+bool CurveSmoother::is_cleaned_alike(const CurveOptions& options, const Progress& progress) const {
+  const std::vector<StrokeSlack> known =
+      options.way_points.empty() ? cleaned_->slacks() : std::vector<StrokeSlack>();
+  return is_same(cleaned_drawing(memory_->mesh(), given_, options, known, progress), *cleaned_);
+}
+
+/// Sets the given curves with other pins. Where that fails or is cancelled, all is as before.
+bool CurveSmoother::set_anew(const CurveOptions& options, const Progress& progress) {
+  const std::vector<SurfaceCurve> given = given_;
+  const CurveOptions before = curve_options_;
+  try {
+    if (set(given, options, std::nullopt, progress)) return true;
+  } catch (...) {
+    set(given, before, std::nullopt, {});
+    throw;
+  }
+  set(given, before, std::nullopt, {});
+  return false;
 }
 
 bool CurveSmoother::need_distance(const Progress& progress) {

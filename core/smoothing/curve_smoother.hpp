@@ -58,8 +58,9 @@ class CurveSmoother {
   /// Error(kBadUsage) if no curve is set.
   bool need_distance(const Progress& progress = {});
 
-  /// Changes the pins of the curves that are set, for the corridor only; the distance is kept if
-  /// possible. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
+  /// Changes the pins of the curves that are set, with the same results as set_curves() with these
+  /// pins; the distance is kept unless the pins change the cleaning of a stroke. Only for the
+  /// corridor. False when cancelled; the pins are then unchanged. Throws Error(kBadUsage) for a pin
   /// that is not a point of the drawing, or for another method.
   bool set_pins(std::span<const SurfacePoint> pins, const Progress& progress = {});
 
@@ -115,6 +116,8 @@ class CurveSmoother {
   void check(const SmoothingOptions& options) const;
   bool set(std::span<const SurfaceCurve> curves, const CurveOptions& options,
            std::optional<std::vector<double>> distance, const Progress& progress);
+  [[nodiscard]] bool is_cleaned_alike(const CurveOptions& options, const Progress& progress) const;
+  bool set_anew(const CurveOptions& options, const Progress& progress);
   SmoothingResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                          const Progress& progress);
   SmoothingResult smooth_ordered(const SmoothingOptions& options, const GivenPotential* given,

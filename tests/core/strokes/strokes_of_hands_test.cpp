@@ -227,6 +227,34 @@ TEST_F(StrokesOfHands, PinsMayLieOnPointsLeftOut) {
   EXPECT_NE(std::find(result.points.begin(), result.points.end(), pin), result.points.end());
 }
 
+/// A scribble on a slow stroke: a pin in it leaves a scribble on either side, or none.
+TEST_F(StrokesOfHands, ArePinnedAsIfTheyWereDrawnWithThePins) {
+  std::vector<Point> points = stroke(0.3);
+  const Point rest = points[150];
+  std::vector<Point> scribble;
+  for (int k = 0; k < 150; ++k) {
+    scribble.push_back(rest + 0.15 * Point(std::sin(1.1 * k), std::cos(1.7 * k), 0));
+  }
+  points.insert(points.begin() + 150, scribble.begin(), scribble.end());
+  const SurfaceCurve plain = smoothed(points).curve();
+  CurveSmoother from_start(opened);
+  const std::size_t n = drawn.points.size();
+  std::size_t others = 0;
+  for (std::size_t k = 2 * n / 5; k < 3 * n / 5; k += n / 40) {
+    const SurfacePoint pin = drawn.points[k];
+    smoother.set_pins(std::span(&pin, 1));
+    from_start.set_curve(drawn, {.pins = {pin}});
+    const SmoothingResult pinned = smoother.smooth(1), expected = from_start.smooth(1);
+    ASSERT_EQ(pinned.curve().points, expected.curve().points) << k;
+    ASSERT_EQ(pinned.report().left_out, expected.report().left_out) << k;
+    ASSERT_EQ(pinned.report().warnings, expected.report().warnings) << k;
+    others += static_cast<std::size_t>(pinned.curve().points != plain.points);
+  }
+  EXPECT_GT(others, 4U);
+  smoother.set_pins({});
+  EXPECT_EQ(smoother.smooth(1).curve().points, plain.points);
+}
+
 TEST_F(StrokesOfHands, AreTheSameFromTheirOtherEnd) {
   const std::vector<Point> points = stroke(0.03, 0.05);
   const SmoothingResult there = smoothed(points);

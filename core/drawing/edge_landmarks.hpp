@@ -1,0 +1,34 @@
+// Landmarks are vertices from which the distances along edges are known to all others.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/ids.hpp"
+#include "talweg/intrinsic/surface/surface.hpp"
+
+namespace talweg {
+
+/// Lower bounds of distances along edges, by the triangle inequality (Goldberg & Harrelson, SODA
+/// 2005): two vertices are at least as far apart as their distances from any landmark differ.
+class EdgeLandmarks {
+ public:
+  /// Landmarks in the component of `inside`, each the vertex that is farthest from those before.
+  /// O(n log n) for n vertices, 32 bytes for each. Throws Cancelled.
+  EdgeLandmarks(const Surface& surface, VertexId inside, ProgressPoller& poller);
+
+  void aim(VertexId goal) { goal_ = of_vertex_[goal.index()]; }
+  /// No more than the distance from there to the goal, mesh units; 0 in other components.
+  [[nodiscard]] double bound(VertexId vertex) const;
+
+ private:
+  static constexpr std::size_t kCount = 8;
+  using Distances = std::array<float, kCount>;  ///< infinite in other components
+
+  std::vector<Distances> of_vertex_;
+  Distances goal_ = {};
+};
+
+}  // namespace talweg
