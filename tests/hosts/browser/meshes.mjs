@@ -48,6 +48,15 @@ function soup(gap = 0) {
   };
 }
 
+/** Two balls beside each other. */
+function pair() {
+  const { points, faces } = ball(16);
+  return {
+    points: [...points, ...points.map(([x, y, z]) => [x + 2.5, y, z])],
+    faces: [...faces, ...faces.map((face) => face.map((v) => v + points.length))],
+  };
+}
+
 const columns = 30, rows = 30;
 
 /** A flat sheet with edges of 1. */
@@ -69,7 +78,7 @@ export function sheetVertex(x, y) {
 }
 
 const kinds = {
-  sheet, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
+  sheet, pair, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
 };
 
 /** The path of an OFF file with this mesh. */

@@ -189,7 +189,7 @@ export class Page {
   }
 
   async key(...keys) {
-    for (const key of keys) await this.page.keyboard.press(key);
+    for (const key of keys) await this.page.keyboard.press(key === 'Space' ? ' ' : key);
     await this.rest();
   }
 

@@ -63,6 +63,8 @@ export async function repairIsOffered() {
   await page.openMesh(mesh('twice'));
   const [a] = await around(page, 20);
   await page.click(...a);
+  await page.page.focus('#view');
+  await page.key('ArrowRight', 'Space');
   assert.deepEqual(await page.curves(), []);
   await page.picture('repair');
   await look(page, 'repair');
@@ -94,6 +96,13 @@ export async function aSoupIsWelded() {
     assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
     assert.ok((await page.reported('length')) > 0);
   }
+  // A tolerance that is less than the gaps welds nothing.
+  await page.page.$eval('#weld', (box) => (box.value = '1e-9'));
+  await page.act('repair');
+  assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 672 vertices/);
+  await page.page.$eval('#weld', (box) => (box.value = ''));
+  await page.act('repair');
+  assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 114 vertices/);
   await page.page.evaluate(() => (document.getElementById('command-details').open = true));
   await page.page.waitForFunction(() => /--repair=weld=[\d.e-]+,drop,orient,split/.test(
     document.getElementById('command').textContent));

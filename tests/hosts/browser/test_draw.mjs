@@ -163,6 +163,23 @@ export async function theViewTurnsAndTheDrawingStays() {
   assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
 }
 
+/** A click that no curve gets to would keep all curves from being smooth. */
+export async function anotherPartIsNotReached() {
+  const page = await openPage();
+  await page.openMesh(mesh('pair'));
+  const { x, y } = await page.middle();
+  await page.click(x - 150, y);
+  await page.click(x + 150, y);
+  assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 1 point']);
+  assert.match(await page.text('trouble-drawing'), /another part of the mesh/);
+  await page.click(x - 120, y + 30);
+  assert.equal(await page.text('trouble-drawing'), '');
+  await page.key('Enter');
+  await page.drag([[x - 120, y + 30], [x + 150, y]]);
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
+  assert.equal(await page.row('farthest apart'), '0');
+}
+
 /** Software draws here, so 640,000 faces take long: a coarser mesh turns, and the whole one rests. */
 export async function aLargeMeshTurnsCoarsely() {
   const page = await openPage();

@@ -162,8 +162,7 @@ export async function theCutIsTheDrivers() {
   await page.picture('kept');
   const kept = await page.saved(() => page.act('save-mesh'));
   assert.match(talweg('info', kept), /closed|watertight|no boundary/i);
-  await page.act('uncut');
-  await page.rest();
+  await page.key('Escape');  // a button of the panel has the focus
   assert.equal((await page.curves()).length, 1);
 }
 

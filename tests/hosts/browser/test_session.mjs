@@ -140,6 +140,12 @@ export async function whatWasPutAsideIsThereAfterAReload() {
   await page.load();
   await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'stone.ply');
   assert.deepEqual(await asides(page), [ballAside]);
+  // Nothing is drawn on the stone yet: Undo is the way back.
+  await page.act('undo');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'ball.off');
+  await page.act('redo');
+  await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'stone.ply');
+  await page.rest();
   const [a, b] = await around(page, 25);
   await page.click(...a);
   await page.click(...b);

@@ -64,6 +64,10 @@ export async function aUThatCollapses() {
   assert.deepEqual(await rings(page), ['≥ 15']);
   assert.match(await alert(page), /^The result cuts off parts of the drawing/);
   await page.act('go-alert');
+  // The part that was cut off has the colour of its distance.
+  await page.page.select('#colour', 'deviation');
+  await page.rest();
+  assert.equal(await page.text('legend-to'), '15');
   await page.picture('collapsed-u');
   await page.act('undo');
   assert.deepEqual(await badges(page), []);

@@ -2,6 +2,7 @@
 import type { Editor } from '../engine/editor';
 import type { Curve, Line, Point } from '../engine/types';
 import { type Chosen, nameOf, type Place } from '../state/state';
+import { areJoined } from '../pick/parts';
 import { positionOf } from '../view/vectors';
 import { type Desk, sentenceOf } from './desk';
 import type { Hand, Live } from './live';
@@ -42,6 +43,7 @@ export class DrawingWork {
   }
 
   addPoint(place: Place): void {
+    if (!this.isReached(this.current()?.points[0], place)) return;
     const begins = !this.desk.store.now.drawing.unfinished;
     this.edit((e) => e.addPoint(bare(place)));
     const curve = this.current();
@@ -49,6 +51,7 @@ export class DrawingWork {
   }
 
   paintPoint(place: Place): void {
+    if (!this.isReached(this.current()?.points[0], place)) return;
     this.edit((e) => e.paintPoint(bare(place)), '', 'drags');
   }
 
@@ -69,6 +72,8 @@ export class DrawingWork {
   }
 
   movePoint(chosen: { curve: number; point: number }, place: Place): void {
+    const { points } = this.desk.store.now.drawing.curves[chosen.curve];
+    if (!this.isReached(points.length > 1 ? points[chosen.point] : undefined, place)) return;
     this.edit((e) => e.movePoint(chosen.curve, chosen.point, bare(place)), '', 'drags');
   }
 
@@ -125,6 +130,15 @@ export class DrawingWork {
 
   choose(chosen: Chosen | null): void {
     this.desk.store.set({ chosen });
+  }
+
+  /** Whether a curve through a point can get to a place; if not, the person is told. */
+  private isReached(point: Point | undefined, place: Place): boolean {
+    const { store } = this.desk;
+    const { mesh } = store.now;
+    if (!mesh || !point || areJoined(mesh.info, point.face, place.face)) return true;
+    store.trouble('drawing', 'That is another part of the mesh, and no curve gets there from this one.');
+    return false;
   }
 
   /** The curve that is being drawn. */

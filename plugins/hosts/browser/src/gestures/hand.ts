@@ -176,6 +176,6 @@ export class Hand implements DrawingHand {
   }
 }
 
-function isDrawable(state: State): boolean {
+export function isDrawable(state: State): boolean {
   return state.mesh !== null && !state.opening && state.mesh.info.defects === null && state.cut === null;
 }

@@ -5,7 +5,7 @@ import type { DrawingWork } from '../actions/drawing_work';
 import type { CutWork } from '../actions/cut_work';
 import type { Live } from '../actions/live';
 import type { Cursor } from './cursor';
-import type { Hand } from './hand';
+import { type Hand, isDrawable } from './hand';
 
 export interface Key {
   /** As KeyboardEvent.key, several for one; letters in lower case. */
@@ -51,12 +51,17 @@ export class Keys {
     if (event.defaultPrevented || event.altKey) return;
     const control = event.ctrlKey || event.metaKey;
     // In boxes that text is written into, Ctrl+Z belongs to the text.
-    if (page && (!control || isText(event.target))) return;
+    if (page && (isText(event.target) || !(control || this.leavesCut(event)))) return;
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const key = this.all.find((k) => !!k.control === control && k.keys.includes(name));
     if (!key) return;
     event.preventDefault();
     key.act(event);
+  }
+
+  /** The button that has cut has the focus still. */
+  private leavesCut(event: KeyboardEvent): boolean {
+    return event.key === 'Escape' && this.store.now.cut !== null && !(event.target as Element).closest('dialog');
   }
 
   private drawingKeys(): Key[] {
@@ -120,7 +125,7 @@ export class Keys {
       return;
     }
     const touch = this.cursor.touch();
-    if (touch && !this.store.now.cut) this.hand.keyClick(this.cursor.under());
+    if (touch && isDrawable(this.store.now)) this.hand.keyClick(this.cursor.under());
   }
 
   private finish(): void {

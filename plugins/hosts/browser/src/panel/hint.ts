@@ -76,7 +76,7 @@ function hintOf(state: State): string {
   const { mesh, drawing, under, chosen, cut, kept } = state;
   const words = coarse.matches ? fingers : mouse;
   if (!mesh) return '';
-  if (mesh.info.defects) return mesh.info.defects;
+  if (mesh.info.defects) return mesh.info.defects + (mesh.info.repair.length > 0 ? ' “Repair” mends it.' : '');
   if (cut) return kept === null ? words.keep : 'This part is kept. Save it, or go back.';
   if (drawing.unfinished) return drawingHint(state, words);
   if (under.kind === 'point') return words.point;

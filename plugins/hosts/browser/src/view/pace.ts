@@ -2,8 +2,8 @@
 
 /** Frames that take longer do not follow a hand. */
 const patience = 50;
-/** A view that has not moved for so long rests. */
-const rest = 180;
+/** A view that has not moved for so long rests; where the whole mesh takes longer than that, for so long. */
+const rest = 180, longestRest = 2000;
 
 export class Pace {
   /** Whether drawing the whole mesh takes too long; false until this is known. */
@@ -12,6 +12,7 @@ export class Pace {
   private timer = 0;
   private round = 0;
   private measured = 0;
+  private took = 0;
 
   /** `onRest`: the view has come to rest. `again`: draws anew. `onSlow`: drawing takes too long, and how long. */
   constructor(private readonly onRest: () => void, private readonly again: () => void,
@@ -20,18 +21,22 @@ export class Pace {
   /** Another mesh: nothing is known of it. */
   reset(): void {
     ++this.round;
-    this.measured = 0;
+    this.measured = this.took = 0;
     this.isSlow = false;
   }
 
   moved(): void {
     this.movedAt = performance.now();
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(this.onRest, rest);
+    this.timer = window.setTimeout(this.onRest, this.rest);
   }
 
   get moves(): boolean {
-    return performance.now() - this.movedAt < rest;
+    return performance.now() - this.movedAt < this.rest;
+  }
+
+  private get rest(): number {
+    return Math.min(longestRest, Math.max(rest, this.took));
   }
 
   /** Measures what has just been asked of the card: it tells when it is done. */
@@ -60,6 +65,7 @@ export class Pace {
       this.again();
       return;
     }
+    this.took = took;
     this.isSlow = took > patience;
     if (this.isSlow && !was) this.onSlow(took);
   }
