@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/generated_meshes.hpp"
+#include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 #include "talweg/talweg.hpp"

@@ -1,13 +1,18 @@
 #include "mesh_input.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataSetSurfaceFilter.h>
+#include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkPolygon.h>
+#include <vtkVector.h>
+#include <vtkVectorOperators.h>
 
 namespace talweg::paraview {
 namespace {
@@ -21,6 +26,37 @@ std::vector<vtkIdType> corners_of(vtkCellArrayIterator& cell) {
   const vtkIdType* corners = nullptr;
   cell.GetCurrentCell(count, corners);
   return {corners, corners + count};
+}
+
+/// Whether the fan from the first corner covers the polygon: none of its triangles is turned over.
+bool fan_covers(vtkPoints& points, const std::vector<vtkIdType>& corners) {
+  const auto at = [&](std::size_t k) {
+    vtkVector3d p;
+    points.GetPoint(corners[k], p.GetData());
+    return p;
+  };
+  std::vector<vtkVector3d> areas;
+  vtkVector3d sum(0.0);
+  for (std::size_t k = 2; k < corners.size(); ++k) {
+    areas.push_back((at(k - 1) - at(0)).Cross(at(k) - at(0)));
+    sum = sum + areas.back();
+  }
+  const double limit = -1e-12 * sum.SquaredNorm();
+  return std::none_of(areas.begin(), areas.end(),
+                      [&](const vtkVector3d& area) { return area.Dot(sum) < limit; });
+}
+
+/// The corners of triangles inside the polygon, one after the other; empty where VTK finds none, as
+/// in a polygon that crosses itself.
+std::vector<vtkIdType> inside(vtkPoints& points, const std::vector<vtkIdType>& corners) {
+  vtkNew<vtkPolygon> polygon;
+  polygon->Initialize(static_cast<int>(corners.size()), corners.data(), &points);
+  vtkNew<vtkIdList> triangles;
+  std::vector<vtkIdType> found;
+  if (polygon->Triangulate(triangles) == 0) return found;
+  if (triangles->GetNumberOfIds() != static_cast<vtkIdType>(3 * (corners.size() - 2))) return found;
+  for (const vtkIdType k : *triangles) found.push_back(corners[static_cast<std::size_t>(k)]);
+  return found;
 }
 
 }  // namespace
@@ -73,7 +109,7 @@ void MeshInput::cut_into_triangles() {
   for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell()) {
     const std::vector<vtkIdType> corners = corners_of(*polygons);
     cut = cut || corners.size() > 3;
-    add_fan(corners, cell++);
+    add_polygon(corners, cell++);
   }
   const auto strips = vtk::TakeSmartPointer(mesh.GetStrips()->NewIterator());
   for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell()) {
@@ -84,10 +120,20 @@ void MeshInput::cut_into_triangles() {
     note_ += std::string(note_.empty() ? "" : " ") + "The mesh's polygons were cut into triangles.";
 }
 
-void MeshInput::add_fan(const std::vector<vtkIdType>& corners, vtkIdType cell) {
+void MeshInput::add_polygon(const std::vector<vtkIdType>& corners, vtkIdType cell) {
   if (corners.size() < 3) {
     throw std::runtime_error("Cell " + std::to_string(cell) + " of the mesh has " +
                              std::to_string(corners.size()) + " corners; a face has at least 3.");
+  }
+  const vtkIdType count = surface_->GetNumberOfPoints();
+  const bool known = std::all_of(corners.begin(), corners.end(),
+                                 [&](vtkIdType v) { return v >= 0 && v < count; });  // else refused
+  if (known && corners.size() > 3 && !fan_covers(*surface_->GetPoints(), corners)) {
+    const std::vector<vtkIdType> triangles = inside(*surface_->GetPoints(), corners);
+    for (std::size_t k = 0; k < triangles.size(); k += 3) {
+      add(triangles[k], triangles[k + 1], triangles[k + 2], cell);
+    }
+    if (!triangles.empty()) return;
   }
   for (std::size_t k = 2; k < corners.size(); ++k)
     add(corners[0], corners[k - 1], corners[k], cell);

@@ -21,9 +21,10 @@ vtkSmartPointer<vtkPolyData> polydata_of(vtkDataSet& input);
 
 class MeshInput {
  public:
-  /// Takes the triangles of the data set: polygons as fans, strips cut. False if nothing but values
-  /// of arrays has changed since the last call. Throws std::runtime_error naming a face with fewer
-  /// than three corners; what was known is forgotten then.
+  /// Takes the triangles of the data set: polygons as fans where these cover them, or cut inside by
+  /// VTK; strips cut. False if nothing but values of arrays has changed since the last call. Throws
+  /// std::runtime_error naming a face with fewer than three corners; what was known is forgotten
+  /// then.
   bool update(vtkDataSet& input);
   /// As if there had been no update().
   void forget();
@@ -48,7 +49,7 @@ class MeshInput {
 
  private:
   void cut_into_triangles();
-  void add_fan(const std::vector<vtkIdType>& corners, vtkIdType cell);
+  void add_polygon(const std::vector<vtkIdType>& corners, vtkIdType cell);
   void add_strip(const std::vector<vtkIdType>& corners, vtkIdType cell);
   void add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
 
