@@ -7,21 +7,21 @@ sysroot=$(cd "$1" && pwd) suitesparse=$(cd "$2" && pwd)
 mkdir -p "$3"
 out=$(cd "$3" && pwd)
 jobs=${TALWEG_JOBS:-$(nproc)}
-configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
-  source=$1 build=$2
-  shift 2
+compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
+  target=$1 source=$2 build=$3
+  shift 3
   # What ccache remembers of another folder would tell CMake that folder's paths.
   CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_SYSROOT="$sysroot" \
     -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; exit 1; }
-  cmake --build "$build" --parallel "$jobs" >>"$build.log" 2>&1 ||
+  cmake --build "$build" --parallel "$jobs" --target "$target" >>"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; exit 1; }
 }
-configure "$here/cholmod" "$out/cholmod"
+compile cholmod "$here/cholmod" "$out/cholmod"
 # Run paths are final from the start: when CMake replaces them, the space of the longer ones stays.
 # shellcheck disable=SC2016  # $ORIGIN is the linker's
-configure "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
+compile talweg "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
   -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON \
   -DCMAKE_INSTALL_RPATH='$ORIGIN;$ORIGIN/../lib/talweg/plugins' -DTALWEG_SUPERNODAL=OFF \
   -DTALWEG_CHOLMOD_BUILD="$out/cholmod" -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF
