@@ -67,7 +67,7 @@ def smooth(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Cur
 
 
 def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = False,
-         straight: Optional[bool] = None, exact: bool = True) -> Curve:
+         straight: Optional[bool] = None, exact: bool = True, **parameters: Any) -> Curve:
     """A curve through points in their order: straight over the surface, or along edges of the mesh.
 
     The points are its way-points (``Curve.exact``): smooth() is free between them.
@@ -77,10 +77,13 @@ def draw(vertices: Any, faces: ArrayLike, points: CurveLike, *, closed: bool = F
     :param straight: straight over the faces, where it may cross itself, or along edges between
         vertices, where it never does. None: straight if the points are way-points.
     :param exact: False: the curve is a stroke, and smooth() keeps near it.
+    :param parameters: ``ridges`` [0, 1], ``ridge_kind`` ("both", "convex", "concave") and ``ridge_band``
+        (mesh units, > 0): how strongly ridges attract the curve and its points, which, from how far.
     :raises BadCurve: if there is no way, or it would cross itself.
     """
     return Mesh(vertices, faces, plugin="talweg.draw").draw(points, closed=closed,
-                                                            straight=straight, exact=exact)
+                                                            straight=straight, exact=exact,
+                                                            **parameters)
 
 
 def geodesic(vertices: Any, faces: ArrayLike, curve: Union[CurveLike, Sequence[Curve]], *,
