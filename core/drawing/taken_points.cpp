@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/drawing/point_marks.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
 TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken) {
@@ -19,6 +21,29 @@ TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken)
     if (way.tolerance == 0) way.tolerance = taken.tolerance;
   }
   return points;
+}
+
+TakenPoints points_marked(const SurfaceCurve& curve, std::span<const double> marks) {
+  TakenPoints points;
+  for (std::size_t k = 0; k < marks.size(); ++k) {
+    if (marks[k] >= 0) points.way_points.push_back({curve.points[k], marks[k]});
+    if (marks[k] == kPainted) points.painted.push_back(curve.points[k]);
+  }
+  return points;
+}
+
+std::vector<double> marks_of_points(const SurfaceCurve& curve, const TakenPoints& points) {
+  PointLookup exact;
+  for (const WayPoint& way : points.way_points) exact.add(way.point);
+  const PointLookup painted(points.painted);
+  std::vector<double> marks;
+  for (const SurfacePoint& point : curve.points) {
+    const auto way = exact.find(point);
+    marks.push_back(way                       ? points.way_points[*way].tolerance
+                    : painted.contains(point) ? kPainted
+                                              : kNotSaid);
+  }
+  return marks;
 }
 
 std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken) {

@@ -32,6 +32,10 @@ struct TakenPoints {
 };
 /// O(points).
 TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken);
+/// The points of a curve that have marks (point_marks.hpp), one for each or none, and back: of
+/// curves that say something of their points. O(points).
+TakenPoints points_marked(const SurfaceCurve& curve, std::span<const double> marks);
+std::vector<double> marks_of_points(const SurfaceCurve& curve, const TakenPoints& points);
 /// Sentences on control points that were taken as a stroke.
 std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken);
 

@@ -12,15 +12,18 @@
 #include "output_file.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
+#include "ridge_options.hpp"
 #include "talweg/core/drawing/draw.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
+#include "talweg/core/drawing/taken_points.hpp"
 #include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
+#include "talweg/core/ridges/ridge_snapping.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "written_points.hpp"
 
@@ -38,6 +41,7 @@ struct Options {
   std::string mesh_units;
   std::string points = "exact";
   WrittenPoints written;
+  RidgeChoice ridges;
 };
 
 /// The points to draw through, on the mesh.
@@ -93,8 +97,19 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   return clicks;
 }
 
+/// Moves a drawing and its way-points onto ridges; returns the sentence on that.
+std::string snap_to_ridges(const SurfaceMesh& mesh, const RidgeChoice& choice, Drawing& drawing,
+                           std::vector<double>& marks, const Progress& progress) {
+  if (choice.strength == 0) return {};
+  RidgedDrawing ridged = snapped_to_ridges(mesh, std::span(&drawing.curve, 1), {},
+                                           {drawing.way_points, {}}, choice.options(), progress);
+  drawing.curve = std::move(ridged.curves.front());
+  if (!drawing.way_points.empty()) marks = marks_of_points(drawing.curve, ridged.points);
+  return ridged.moves.front().sentence(0);
+}
+
 ReadyCurve drawn(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
-                 const CoordinateFrame& frame, const Progress& progress) {
+                 const CoordinateFrame& frame, const Progress& progress, std::string& told) {
   DrawOptions own;
   own.closed = clicks.closed;
   if (options.points == "rough") own.tolerance.reset();
@@ -102,10 +117,12 @@ ReadyCurve drawn(const SurfaceMesh& mesh, const Clicks& clicks, const Options& o
       std::any_of(options.outputs.begin(), options.outputs.end(),
                   [](const std::string& output) { return output.ends_with(".txt"); });
   if (options.straight || options.edges || of_vertices) own.straight = options.straight;
-  const Drawing drawing = draw(mesh.surface(), clicks.points, own, progress);
+  Drawing drawing = draw(mesh.surface(), clicks.points, own, progress);
+  std::vector<double> marks = marks_through(drawing.curve, clicks.points);
+  told = snap_to_ridges(mesh, options.ridges, drawing, marks, progress);
   ReadyCurve made = ready(mesh, drawing.curve, 0, options.written, frame);
   if (options.points == "exact" && !made.spacing) {
-    made.curve.exact = marks_through(drawing.curve, clicks.points);
+    made.curve.exact = std::move(marks);
   }
   return made;
 }
@@ -148,14 +165,14 @@ int run(const Options& options, const GlobalOptions& global) {
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
   const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   std::vector<PlacedCurve> curves;
-  std::string spacing;
+  std::string spacing, ridges;
   try {
     const Progress progress = progress_bar(global.quiet);
     const Clicks clicks = options.clicks.empty()
                               ? given_vertices(mesh, read.map.get(), options)
                               : clicks_of_file(mesh, read.map.get(), options, frame, progress);
     tell_clicks(clicks, global.quiet);
-    ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
+    ReadyCurve made = drawn(mesh, clicks, options, frame, progress, ridges);
     if (made.spacing) spacing = spacing_text(made);
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {
@@ -165,6 +182,7 @@ int run(const Options& options, const GlobalOptions& global) {
   for (const std::string& output : options.outputs) {
     write_output(output, curve_bytes(output, curves, frame));
   }
+  if (!global.quiet && !ridges.empty()) std::fprintf(text_stream(), "%s\n", ridges.c_str());
   if (!global.quiet) tell_strokes(options);
   if (!global.quiet && !spacing.empty()) std::fprintf(text_stream(), "%s\n", spacing.c_str());
   for (const std::string& change : read.changes) {
@@ -211,6 +229,7 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
                    "Curve: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, .txt (vertex "
                    "numbers) or .json")
       ->required();
+  add_ridge_options(*command, options->ridges);
   add_repair_option(*command, options->repair);
   add_unit_option(*command, options->mesh_units);
   add_point_options(*command, options->written);

@@ -60,8 +60,8 @@ std::string ending(const std::string& path) { return fs::path(path).extension().
 std::string options_text(const SmoothOptions& options) {
   const auto& [mesh, repair, curves, labels, mesh_units, independent, outputs, written, report,
                potential, engine, distance, slack_field, max_deviation, heat_time, pins, corners,
-               points, tolerance, click_distance, ends, border, repeat, tau, slack, finish, relax,
-               budget, budget_work, threads] = options;
+               points, tolerance, click_distance, ends, border, ridges, repeat, tau, slack, finish,
+               relax, budget, budget_work, threads] = options;
   std::vector<std::string> endings;
   endings.reserve(outputs.size());
   for (const std::string& output : outputs) endings.push_back(ending(output));
@@ -69,12 +69,13 @@ std::string options_text(const SmoothOptions& options) {
     return value ? fmt::format("{}", *value) : "none";
   };
   return fmt::format(
-      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", repair,
-      !labels.empty(), mesh_units, independent, fmt::join(endings, ","), written.resample,
+      "{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}",
+      repair, !labels.empty(), mesh_units, independent, fmt::join(endings, ","), written.resample,
       written.normals, !report.empty(), potential, engine, or_none(max_deviation),
       or_none(heat_time), fmt::join(pins, ","), fmt::join(corners, ","), points, tolerance,
-      or_none(click_distance), ends, border, repeat, fmt::join(tau, ","), fmt::join(slack, ","),
-      fmt::join(finish, ","), relax, or_none(budget), or_none(budget_work));
+      or_none(click_distance), ends, border, ridges.strength, ridges.kind, or_none(ridges.band),
+      repeat, fmt::join(tau, ","), fmt::join(slack, ","), fmt::join(finish, ","), relax,
+      or_none(budget), or_none(budget_work));
 }
 
 /// The files that a run reads, in an order in which none can be taken for another.

@@ -44,6 +44,12 @@ void lead_with_decisive(const SmoothingReport& report) {
   }
 }
 
+void tell_ridges(const PlacedResult& result) {
+  for (std::size_t c = 0; c < result.ridges.size(); ++c) {
+    std::fprintf(text_stream(), "%s\n", result.ridges[c].sentence(c).c_str());
+  }
+}
+
 int finish(const SmoothOptions& options, const GlobalOptions& global, const RunOutcome& outcome) {
   clear_progress_bar();
   const SmoothingReport& total = outcome.result.total;
@@ -54,6 +60,7 @@ int finish(const SmoothOptions& options, const GlobalOptions& global, const RunO
   const bool table = global.verbose || (options.outputs.empty() && options.report.empty());
   if (!table && !global.quiet) lead_with_decisive(total);
   write_run(options, outcome);
+  if (!table && !global.quiet) tell_ridges(outcome.result);
   if (table && !global.quiet) std::fputs(table_of(total).c_str(), text_stream());
   if (total.termination == Outcome::kConverged) return kDone;
   if (!global.quiet) {

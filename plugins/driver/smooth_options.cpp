@@ -50,6 +50,7 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
   app.add_flag_callback(
       "--open", [&o] { o.ends = "open"; }, "The same as --ends open");
   add_choice(app, plugins::smooth_parameter("border"), o.border);
+  add_ridge_options(app, o.ridges);
   add_repair_option(app, o.repair);
   add_unit_option(app, o.mesh_units);
 }

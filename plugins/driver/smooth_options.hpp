@@ -10,6 +10,7 @@
 
 #include "file_plan.hpp"
 #include "methods/smooth/smooth_parameters.hpp"
+#include "ridge_options.hpp"
 #include "written_points.hpp"
 
 namespace talweg::driver {
@@ -36,6 +37,7 @@ struct SmoothOptions {
   std::optional<double> click_distance;
   std::string ends = plugins::smooth_parameter("ends").default_choice;
   std::string border = plugins::smooth_parameter("border").default_choice;
+  RidgeChoice ridges;
   std::size_t repeat = 1;
   // One value for all curves, or one for each of them.
   std::vector<double> tau = {plugins::smooth_parameter("tau").default_number};

@@ -40,6 +40,7 @@ struct Prepared {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins, corners;  ///< points of the curves
   TakenPoints points;
+  std::vector<RidgeMoves> ridges;   ///< per curve, if ridges attracted them
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
@@ -90,6 +91,21 @@ void take_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
   }
 }
 
+/// Moves the curves and their points onto ridges; pins and corners stay.
+void snap_to_ridges(const SurfaceMesh& mesh, const SmoothOptions& options, Prepared& run) {
+  if (options.ridges.strength == 0) return;
+  std::vector<SurfacePoint> fixed = run.pins;
+  fixed.insert(fixed.end(), run.corners.begin(), run.corners.end());
+  RidgedDrawing ridged = snapped_to_ridges(mesh, run.curves, fixed, std::move(run.points),
+                                           options.ridges.options(), run.progress);
+  run.curves = std::move(ridged.curves);
+  run.points = std::move(ridged.points);
+  run.ridges = std::move(ridged.moves);
+  for (std::size_t c = 0; c < run.ridges.size(); ++c) {
+    run.warnings.push_back(run.ridges[c].sentence(c));
+  }
+}
+
 Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOptions& options,
                  const Progress& progress) {
   const Stopwatch watch;
@@ -120,6 +136,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   take_points_of(drawing, mesh, options, run);
   run.curves = std::move(drawing.curves);
   run.pins = std::move(drawing.pins);
+  snap_to_ridges(mesh.mesh(), options, run);
   if (!options.distance.empty()) {
     run.distance = field_on(mesh, options.distance);
   }
@@ -146,6 +163,7 @@ Prepared alone(const Prepared& run, std::size_t curve) {
                [&](const WayPoint& way) { return passed(way.point); });
   std::copy_if(run.points.painted.begin(), run.points.painted.end(),
                std::back_inserter(one.points.painted), passed);
+  if (!run.ridges.empty()) one.ridges = {run.ridges[curve]};
   one.distance = run.distance;
   one.slack_field = run.slack_field;
   one.options = run.options;
@@ -218,6 +236,7 @@ void finish_reports(PlacedResult& result, const std::vector<std::vector<StageTim
     run.moved.add_to(report.warnings, warnings);
     lead_with(report, run.moved.decisive());
   }
+  result.ridges = run.ridges;
   result.total = total_of(result.reports);
 }
 
@@ -300,6 +319,7 @@ RunOutcome gathered(std::vector<PlacedResult> results, std::vector<CurveFailure>
     outcome.numbers.push_back(i);
     outcome.result.curves.push_back(std::move(results[i].curves.front()));
     outcome.result.reports.push_back(std::move(results[i].reports.front()));
+    for (const RidgeMoves& moves : results[i].ridges) outcome.result.ridges.push_back(moves);
     if (results[i].spacings.empty()) continue;
     outcome.result.spacings.push_back(results[i].spacings.front());
   }
@@ -340,14 +360,20 @@ void add_resampling(std::vector<ReportEntry>& entries, std::size_t points, doubl
   entries.push_back({"resampled_spacing", spacing});
 }
 
+void add_entries(std::vector<ReportEntry>& entries, const std::vector<ReportEntry>& more) {
+  entries.insert(entries.end(), more.begin(), more.end());
+}
+
 /// The report; of resampled curves also how many points they have and how far apart these are: in
 /// the totals all points, and the largest spacing.
 std::string report_json(const PlacedResult& result) {
   std::vector<ReportEntry> total = entries_of(result.total);
+  add_entries(total, total_entries(result.ridges));
   std::vector<std::vector<ReportEntry>> curves;
   std::size_t points = 0;
   for (std::size_t c = 0; c < result.reports.size(); ++c) {
     curves.push_back(entries_of(result.reports[c]));
+    if (!result.ridges.empty()) add_entries(curves.back(), entries_of(result.ridges[c]));
     if (result.spacings.empty()) continue;
     add_resampling(curves.back(), result.curves[c].positions.size(), result.spacings[c]);
     points += result.curves[c].positions.size();

@@ -13,6 +13,7 @@
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/measure/report.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/ridges/ridge_snapping.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 
 namespace talweg::driver {
@@ -43,6 +44,7 @@ struct PlacedResult {
   std::vector<PlacedCurve> curves;
   std::vector<double> spacings;  ///< of the curves' points, if they were resampled; mesh units
   std::vector<SmoothingReport> reports;
+  std::vector<RidgeMoves> ridges;  ///< of the curves, if ridges were to attract them
   SmoothingReport total;
 };
 

@@ -158,6 +158,7 @@ void apply(const Drawing& drawing, host::Instance& smooth) {
   apply("max_deviation", paper ? std::nullopt : drawing.settings.max_deviation, smooth);
   apply("click_distance", drawing.settings.click_distance, smooth);
   smooth.set("ends", name_of(drawing.settings.ends));
+  smooth.set("ridges", drawing.settings.ridges);
   smooth.set("border", "snap");  // beyond the border a hand picks no points
   std::vector<std::optional<double>> taus, slacks;
   for (const auto& curve : drawing.curves) {

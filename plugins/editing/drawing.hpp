@@ -75,6 +75,7 @@ struct Settings {
   Ends ends = Ends::kAuto;
   /// Successive clicks at most so far apart are one; mesh units, >= 0; none: the plugin's default.
   std::optional<double> click_distance = {};
+  double ridges = 0;  ///< [0, 1]: how strongly ridges attract the drawing
 
   bool operator==(const Settings&) const = default;
 };

@@ -43,6 +43,9 @@ void require(const Settings& settings) {
   require_bound(settings.tau, true, "Tau");
   if (settings.slack) require_bound(*settings.slack, true, "The slack");
   if (settings.click_distance) require_bound(*settings.click_distance, true, "The click distance");
+  if (!(settings.ridges >= 0 && settings.ridges <= 1)) {
+    throw Error("The strength of ridges is 0 to 1.");
+  }
   if (settings.max_deviation) {
     require_bound(*settings.max_deviation, false, "The largest deviation");
   }
@@ -294,6 +297,12 @@ void Editor::set_click_distance(std::optional<double> distance) {
   Settings settings = drawing().settings;
   settings.click_distance = distance;
   set("Click distance", settings);
+}
+
+void Editor::set_ridges(double strength) {
+  Settings settings = drawing().settings;
+  settings.ridges = strength;
+  set("Snap to ridges", settings);
 }
 
 }  // namespace talweg::editing

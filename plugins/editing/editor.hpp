@@ -84,6 +84,7 @@ class Editor {
   void set_paper(bool paper);
   void set_ends(Ends ends);
   void set_click_distance(std::optional<double> distance);
+  void set_ridges(double strength);
 
  private:
   const Curve& curve_at(std::size_t curve) const;

@@ -9,6 +9,7 @@
 #include "curve_files.hpp"
 #include "methods/plugins.hpp"
 #include "methods/results.hpp"
+#include "methods/ridge_choice.hpp"
 #include "methods/workspace.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
@@ -39,25 +40,28 @@ class Draw : public Workspace {
     return std::string_view(id) == TALWEG_WAY_POINTS ? way_points_extension() : nullptr;
   }
   static std::vector<talweg_parameter> parameters() {
-    return with_repair(
-        {plugin::choice(
-             "way", "Way", "auto", kWays, kWayLabels,
-             "Between the points. straight: over the faces, where legs may cross; edges: "
-             "along edges of the mesh, never through itself; auto: straight between "
-             "way-points, along edges in a stroke.",
-             TALWEG_STAGE_RUN),
-         plugin::boolean("straight", "Straight", false, "The same as way = straight.",
-                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
-         plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
-                        "What the given points are in the drawn curve. exact: way-points, "
-                        "unless the given curve says what they are; rough: a stroke.",
-                        TALWEG_STAGE_RUN),
-         plugin::boolean("preview", "Preview", false,
-                         "While a point is dragged: of a curve of which one way-point has moved "
-                         "since the last run without preview only the legs that meet it are "
-                         "drawn anew, around the others. The next run without preview gives "
-                         "what counts.",
-                         TALWEG_STAGE_RUN, TALWEG_ADVANCED)});
+    std::vector<talweg_parameter> all = {
+        plugin::choice("way", "Way", "auto", kWays, kWayLabels,
+                       "Between the points. straight: over the faces, where legs may cross; edges: "
+                       "along edges of the mesh, never through itself; auto: straight between "
+                       "way-points, along edges in a stroke.",
+                       TALWEG_STAGE_RUN),
+        plugin::boolean("straight", "Straight", false, "The same as way = straight.",
+                        TALWEG_STAGE_RUN, TALWEG_ADVANCED),
+        plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
+                       "What the given points are in the drawn curve. exact: way-points, "
+                       "unless the given curve says what they are; rough: a stroke.",
+                       TALWEG_STAGE_RUN),
+        plugin::boolean("preview", "Preview", false,
+                        "While a point is dragged: of a curve of which one way-point has moved "
+                        "since the last run without preview only the legs that meet it are "
+                        "drawn anew, around the others. The next run without preview gives "
+                        "what counts.",
+                        TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
+    for (const talweg_parameter& parameter : ridge_choice(TALWEG_STAGE_RUN)) {
+      all.push_back(parameter);
+    }
+    return with_repair(all);
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
@@ -93,29 +97,40 @@ class Draw : public Workspace {
     std::vector<std::vector<PointField>> fields(snapped_.size());
     std::vector<double> lengths;
     std::vector<DrawnPath> paths;
+    std::vector<RidgeMoves> moves;
+    const RidgeOptions ridges = ridge_options_of(parameters);
+    std::vector<std::string> told = host_mesh().changes();
     double total = 0;
     for (std::size_t c = 0; c < snapped_.size(); ++c) {
       go_on("draw", static_cast<double>(c) / static_cast<double>(snapped_.size()));
       const DrawnPath* last = preview && c < paths_.size() ? &paths_[c] : nullptr;
-      const SurfaceCurve curve = cancellable([&] {
+      SurfaceCurve curve = cancellable([&] {
         return straight ? lines().join(snapped_[c].points, snapped_[c].closed, progress())
                         : along_edges(snapped_[c], last, paths.emplace_back());
       });
+      std::vector<double> marks;
+      if (exact) marks = marks_through(curve, snapped_[c].points, marks_[c]);
+      if (ridges.strength > 0) {
+        moves.push_back(snap_to_ridges(c, ridges, curve, marks));
+        told.push_back(moves.back().sentence(c));
+      }
       placed.push_back(host_mesh().given(place(mesh(), curve, c)));
-      if (exact) placed.back().exact = marks_through(curve, snapped_[c].points, marks_[c]);
+      placed.back().exact = std::move(marks);
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
       total += lengths.back();
     }
     if (!preview) paths_ = std::move(paths);
     outputs.report(-1, "length", total);
-    give(outputs, -1, {{"warnings", host_mesh().changes()}});
+    give(outputs, -1, total_entries(moves));
+    give(outputs, -1, {{"warnings", told}});
     for (std::size_t c = 0; c < placed.size(); ++c) {
       const auto number = static_cast<std::int64_t>(c);
       give(outputs, placed[c], fields[c]);
       outputs.report(number, "points", static_cast<double>(placed[c].faces.size()),
                      TALWEG_VALUE_INTEGER);
       outputs.report(number, "length", lengths[c]);
+      if (c < moves.size()) give(outputs, number, entries_of(moves[c]));
     }
   }
 
@@ -133,6 +148,20 @@ class Draw : public Workspace {
     for (const InputWayPoint& way : curve.way_points) marks[way.point] = way.tolerance;
     for (const std::size_t k : curve.painted) marks[k] = kPainted;
     return marks;
+  }
+
+  /// Moves a drawn curve and its marks. Pins stay.
+  RidgeMoves snap_to_ridges(std::size_t c, const RidgeOptions& options, SurfaceCurve& curve,
+                            std::vector<double>& marks) {
+    std::vector<SurfacePoint> pins;
+    for (const std::size_t pin : snapped_[c].pins) pins.push_back(snapped_[c].points[pin]);
+    RidgedDrawing ridged = cancellable([&] {
+      return snapped_to_ridges(mesh(), std::span(&curve, 1), pins, points_marked(curve, marks),
+                               options, progress());
+    });
+    curve = std::move(ridged.curves.front());
+    if (!marks.empty()) marks = marks_of_points(curve, ridged.points);
+    return ridged.moves.front();
   }
 
   /// Vertices are used as they are, in any order and any number of times; other points are snapped.

@@ -11,6 +11,7 @@
 
 #include "methods/budget_choice.hpp"
 #include "methods/deviation_choice.hpp"
+#include "methods/ridge_choice.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
 #include "talweg/core/smoothing/slack_field.hpp"
 
@@ -242,6 +243,7 @@ const std::vector<talweg_parameter>& smooth_parameters() {
   static const std::vector<talweg_parameter> table = [] {
     std::vector<talweg_parameter> all = main_parameters();
     for (const talweg_parameter& parameter : further_parameters()) all.push_back(parameter);
+    for (const talweg_parameter& parameter : ridge_choice(kCurves)) all.push_back(parameter);
     for (const talweg_parameter& parameter : budget_parameters()) all.push_back(parameter);
     return all;
   }();

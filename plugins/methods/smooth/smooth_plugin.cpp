@@ -1,7 +1,10 @@
 // talweg.smooth: the pipeline, from drawing to smoothed curve.
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +13,7 @@
 #include "methods/plugins.hpp"
 #include "methods/point_fields.hpp"
 #include "methods/results.hpp"
+#include "methods/ridge_choice.hpp"
 #include "methods/smoother_workspace.hpp"
 #include "smooth_parameters.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
@@ -60,11 +64,12 @@ class Smooth : public SmootherWorkspace {
     finish_ends(curve_ends(parameters.choice("ends")), led);
     const PointsTaken taken =
         points_taken(parameters, host_mesh().taken_vertices(parameters.vertices("exact")));
+    curve_options.corners = host_mesh().taken_vertices(parameters.vertices("corner"));
     points_ = take_points(drawing(), taken);
-    free_ = only_way_points(drawing().curves, points_);
+    snap_to_ridges(parameters, curve_options.corners);
+    free_ = only_way_points(curves(), points_);
     curve_options.way_points = points_.way_points;
     curve_options.painted = points_.painted;
-    curve_options.corners = host_mesh().taken_vertices(parameters.vertices("corner"));
     const std::optional<std::size_t> dragged = dragged_curve(parameters);
     if (!dragged) solve(parameters, curve_options);
     const SmoothingOptions options =
@@ -80,6 +85,37 @@ class Smooth : public SmootherWorkspace {
   }
 
  private:
+  /// The drawing as it is smoothed.
+  [[nodiscard]] const std::vector<SurfaceCurve>& curves() const {
+    return ridged_.moves.empty() ? drawing().curves : ridged_.curves;
+  }
+  [[nodiscard]] std::span<const RidgeMoves> moves_of(std::size_t curve) const {
+    return std::span(ridged_.moves)
+        .subspan(std::min(curve, ridged_.moves.size()), ridged_.moves.empty() ? 0 : 1);
+  }
+
+  /// Moves the drawing and its points onto ridges, unless that has been done already.
+  void snap_to_ridges(const plugin::Parameters& parameters, std::vector<SurfacePoint> fixed) {
+    const RidgeOptions options = ridge_options_of(parameters);
+    if (options.strength == 0) {
+      ridged_ = {};
+      ridged_from_ = {};
+      return;
+    }
+    for (const SurfacePoint& pin : pins(parameters)) fixed.push_back(pin);
+    RidgedFrom from{drawings(), parameters.changes_of(TALWEG_STAGE_CURVES), std::move(fixed),
+                    points_};
+    if (ridged_.moves.empty() || !(from == ridged_from_)) {
+      ridged_ = cancellable([&] {
+        return snapped_to_ridges(mesh(), drawing().curves, from.fixed, points_, options,
+                                 progress());
+      });
+      ridged_from_ = std::move(from);
+      solved_ = false;
+    }
+    points_ = ridged_.points;
+  }
+
   SmoothingResult smooth(const plugin::Parameters& parameters, const SmoothingOptions& options) {
     SmoothingResult result = smooth_by(parameters, smoother(), options, free_, progress());
     found_tau_ = result.total.tau;
@@ -95,7 +131,7 @@ class Smooth : public SmootherWorkspace {
       options.slack = found_slack_;
       for (OwnOptions& own : options.per_curve) own.tau.reset();
     }
-    return smoother().drag(curve, drawing().curves[curve], options, progress());
+    return smoother().drag(curve, curves()[curve], options, progress());
   }
 
   /// The only curve that differs from the last run that was not a preview, or 0 if none differs;
@@ -104,7 +140,7 @@ class Smooth : public SmootherWorkspace {
     if (!parameters.flag("preview") || parameters.choice("potential") != "corridor") return {};
     if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
     const auto drawn = smoother().drawn();
-    const std::vector<SurfaceCurve>& now = drawing().curves;
+    const std::vector<SurfaceCurve>& now = curves();
     if (now.size() != drawn.size()) return {};
     // Those of a dragged curve move with it, so all is solved again.
     if (!points_.way_points.empty() || !solved_points_.way_points.empty()) return {};
@@ -144,7 +180,7 @@ class Smooth : public SmootherWorkspace {
       }
     }
     solved_ = false;
-    if (!plugins::set_curves(smoother(), drawing().curves, parameters, options, progress(),
+    if (!plugins::set_curves(smoother(), curves(), parameters, options, progress(),
                              host_mesh().map())) {
       throw plugin::Services::cancelled();
     }
@@ -157,6 +193,9 @@ class Smooth : public SmootherWorkspace {
 
   void add_warnings(SmoothingResult& result, const std::vector<std::string>& on_points) const {
     std::vector<std::string> warnings = reading_warnings();
+    for (std::size_t c = 0; c < ridged_.moves.size(); ++c) {
+      warnings.push_back(ridged_.moves[c].sentence(c));
+    }
     warnings.insert(warnings.end(), on_points.begin(), on_points.end());
     const auto add = [&](SmoothingReport& report) {
       drawing().add_to(report.warnings, warnings);
@@ -173,10 +212,17 @@ class Smooth : public SmootherWorkspace {
     std::vector<double> distance;
     if (outputs.wants_fields()) distance = distance_field();
     const auto fields = [&](std::size_t c) -> std::vector<PointField> {
-      return {deviation_field(mesh(), drawing().curves[c], result.curves[c], services()),
+      return {deviation_field(mesh(), curves()[c], result.curves[c], services()),
               curvature_field(mesh(), result.curves[c])};
     };
-    give_curves(outputs, result, fields, entries_of);
+    const std::vector<RidgeMoves>& moves = ridged_.moves;
+    plugins::give_curves(outputs, host_mesh(), result.curves, fields, [&](std::int64_t c) {
+      const auto k = static_cast<std::size_t>(c);
+      std::vector<ReportEntry> entries = entries_of(c < 0 ? result.total : result.reports[k]);
+      const auto more = c < 0 ? total_entries(moves) : total_entries(moves_of(k));
+      entries.insert(entries.end(), more.begin(), more.end());
+      return entries;
+    });
     if (outputs.wants_fields()) {
       give(outputs, "distance", "mesh units", host_mesh().given_per_vertex(distance));
     }
@@ -187,9 +233,19 @@ class Smooth : public SmootherWorkspace {
     if (!smoother().distance().empty()) {
       return {smoother().distance().begin(), smoother().distance().end()};
     }
-    return quick_distance_field(mesh().surface(), drawing().curves, services());
+    return quick_distance_field(mesh().surface(), curves(), services());
   }
 
+  /// What the ridged drawing was made from.
+  struct RidgedFrom {
+    std::uint64_t drawings = 0, changes = 0;
+    std::vector<SurfacePoint> fixed;
+    TakenPoints points;
+    bool operator==(const RidgedFrom&) const = default;
+  };
+
+  RidgedDrawing ridged_;  // without moves: the drawing stays as it is
+  RidgedFrom ridged_from_;
   bool solved_ = false;
   bool free_ = false;                       // the drawing has only way-points
   TakenPoints points_, solved_points_;      // of this run; of the curves as they were set

@@ -1,5 +1,6 @@
 // Way-points from draw to smooth: who makes them, who says otherwise, and what then does not apply.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,55 @@ TEST_F(DriverWayPoints, DrawWritesThoseThatAreGiven) {
     EXPECT_EQ(curves[0].way_points[1].point, exact[1]) << name;
     EXPECT_EQ(curves[0].way_points[1].tolerance, 0) << name;
   }
+}
+
+/// Two planes that meet in a crease at y = 15.
+MeshLists roof() {
+  MeshLists lists = test::grid(40, 30);
+  for (Point& p : lists.points) p.z() = -0.6 * std::abs(p.y() - 15);
+  return lists;
+}
+
+TEST_F(DriverWayPoints, RidgesMoveDrawingsAndTheirClicks) {
+  write_mesh(file("roof.ply"), roof());
+  // The vertices (5, 13), (20, 16) and (35, 14).
+  const std::string through = "draw roof.ply --through 538,676,609 ";
+  succeed(through + "-o as_drawn.json");
+  succeed(through + "--ridges 0 -o nothing.json");
+  EXPECT_EQ(bytes_of(file("as_drawn.json")), bytes_of(file("nothing.json")));
+  const Outcome told = run(through + "--ridges 1 -o ridge.json");
+  EXPECT_EQ(told.code, 0) << told.err;
+  EXPECT_NE(told.out.find("100 % of curve 0 were moved onto ridges"), std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("3 of its clicks moved along"), std::string::npos) << told.out;
+  for (const json& point : read("ridge.json").at("curves").at(0).at("points")) {
+    EXPECT_EQ(point.at("xyz").at(1), 15);
+  }
+  const CurveInput curve = read_curves(file("ridge.json")).at(0);
+  EXPECT_EQ(curve.way_points.size(), 3U);
+  EXPECT_FALSE(curve.painted.empty());
+}
+
+TEST_F(DriverWayPoints, SmoothReportsWhatRidgesMoved) {
+  write_mesh(file("roof.ply"), roof());
+  succeed("draw roof.ply --through 538,676,609 --points rough -o stroke.json");
+  succeed("smooth roof.ply --curve stroke.json --ridges 1 -o out.json --report report.json");
+  const json report = read("report.json");
+  EXPECT_EQ(report.at("ridge_strength"), 1);
+  EXPECT_GT(report.at("ridge_moved"), 0.9);
+  EXPECT_GT(report.at("ridge_moved_max"), 1);
+  EXPECT_NE(warnings().dump().find("were moved onto ridges"), std::string::npos);
+  for (const json& point : read("out.json").at("curves").at(0).at("points")) {
+    EXPECT_NEAR(point.at("xyz").at(1).get<double>(), 15, 1e-6);
+  }
+  succeed(
+      "smooth roof.ply --curve stroke.json --ridges 1 --ridge-kind concave -o out.json "
+      "--report report.json");
+  EXPECT_EQ(read("report.json").at("ridge_moved"), 0);
+  succeed("smooth roof.ply --curve stroke.json --report report.json");
+  EXPECT_FALSE(read("report.json").contains("ridge_moved"));
+  EXPECT_EQ(run("smooth roof.ply --curve stroke.json --ridges 2").code, 1);
+  EXPECT_EQ(run("smooth roof.ply --curve stroke.json --ridges 1 --ridge-band 0").code, 1);
 }
 
 TEST_F(DriverWayPoints, DrawOfALoopOrStraightMarksEachGivenPointOnce) {

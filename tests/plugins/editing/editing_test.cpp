@@ -214,6 +214,10 @@ TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
   for (const auto ends : {editing::Ends::kAuto, editing::Ends::kClosed, editing::Ends::kOpen}) {
     EXPECT_EQ(editing::ends_named(editing::name_of(ends)), ends);
   }
+  editor.set_ridges(0.7);
+  EXPECT_EQ(editor.history().undo_name(), "Snap to ridges");
+  EXPECT_EQ(refusal([&] { editor.set_ridges(1.5); }), "The strength of ridges is 0 to 1.");
+  EXPECT_EQ(editor.drawing().settings.ridges, 0.7);
   EXPECT_EQ(refusal([] { editing::ends_named("ajar"); }),
             "Ends are auto, closed or open, not ajar.");
 }

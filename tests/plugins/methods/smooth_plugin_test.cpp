@@ -151,6 +151,29 @@ TEST_F(SmoothPlugin, LeadsStrokesToTheBorderIfAsked) {
   EXPECT_EQ(smooth_.run().curves.at(0).positions.front()[0], before);
 }
 
+TEST_F(SmoothPlugin, MovesStrokesOntoRidgesOnceForAllTaus) {
+  MeshLists roof = test::grid(40, 30);
+  for (Point& p : roof.points) p.z() = -0.6 * std::abs(p.y() - 15);
+  test::set_mesh(smooth_, roof);
+  host::Curve stroke;
+  for (int k = 0; k <= 60; ++k) {
+    const double y = 15 + 1.5 * std::sin(k / 3.0);
+    stroke.positions.push_back({5 + 0.5 * k, y, -0.6 * std::abs(y - 15)});
+  }
+  smooth_.set_curves({stroke});
+  const host::Results drawn = smooth_.run();
+  EXPECT_EQ(drawn.find("ridge_moved"), nullptr);
+  smooth_.set("ridges", 1.0);
+  const host::Results ridged = smooth_.run();
+  EXPECT_GT(ridged.number("ridge_moved"), 0.9);
+  for (const auto& p : ridged.curves.at(0).positions) EXPECT_NEAR(p[1], 15, 1e-6);
+  smooth_.set("tau", 2.0);
+  EXPECT_EQ(smooth_.run().number("time_ms.solve"), ridged.number("time_ms.solve"));
+  smooth_.set("tau", 1.0);
+  smooth_.set("ridges", 0.0);
+  EXPECT_EQ(smooth_.run().curves.at(0).positions, drawn.curves.at(0).positions);
+}
+
 TEST_F(SmoothPlugin, KeepsPinsAndTheLargestDeviation) {
   host::Curve pinned = subject_.curve;
   pinned.pins = {7};

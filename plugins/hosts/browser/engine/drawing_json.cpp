@@ -54,7 +54,8 @@ editing::Drawing drawing_of(const Json& json) {
                       optional_of(settings.at("maxDeviation")),
                       settings.value("paper", false),
                       editing::ends_named(settings.value("ends", "auto")),
-                      optional_of(settings.value("clickDistance", Json()))};
+                      optional_of(settings.value("clickDistance", Json())),
+                      settings.value("ridges", 0.0)};
   return drawing;
 }
 
@@ -80,7 +81,8 @@ Json json_of(const editing::Drawing& drawing) {
             {"maxDeviation", number_json(drawing.settings.max_deviation)},
             {"paper", drawing.settings.paper},
             {"ends", editing::name_of(drawing.settings.ends)},
-            {"clickDistance", number_json(drawing.settings.click_distance)}}}};
+            {"clickDistance", number_json(drawing.settings.click_distance)},
+            {"ridges", drawing.settings.ridges}}}};
 }
 
 }  // namespace talweg::browser

@@ -135,6 +135,8 @@ const std::map<std::string, Call>& calls_of_curves() {
        [](Editor& e, Arguments a) {
          return done([&] { e.set_click_distance(optional_of(a.at(0))); });
        }},
+      {"setRidges",
+       [](Editor& e, Arguments a) { return done([&] { e.set_ridges(a.at(0).get<double>()); }); }},
       {"setMaxDeviation", [](Editor& e, Arguments a) {
          return done([&] { e.set_max_deviation(optional_of(a.at(0))); });
        }}};

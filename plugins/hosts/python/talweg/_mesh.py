@@ -169,11 +169,11 @@ class Mesh:
                            progress=progress, **parameters)
 
     def draw(self, points: CurveLike, *, closed: bool = False, straight: Optional[bool] = None,
-             exact: bool = True) -> Curve:
+             exact: bool = True, **parameters: Any) -> Curve:
         """talweg.draw() on this mesh."""
         work = Workspace(self, as_curve(points, closed), plugin="talweg.draw",
                          way={None: "auto", True: "straight", False: "edges"}[straight],
-                         points="exact" if exact else "rough")
+                         points="exact" if exact else "rough", **parameters)
         return work.run().curve
 
     def geodesic(self, curve: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,

@@ -31,6 +31,12 @@ class Report:
     left_out: Optional[int] = None  #: points of strokes that say nothing beside others
     left_out_max: Optional[float] = None  #: how far they lie from what was smoothed
     max_deviation: Optional[float] = None
+    ridge_strength: Optional[float] = None  #: the next ones are there only if it is above 0
+    ridge_band: Optional[float] = None
+    ridge_moved: Optional[float] = None  #: [0, 1]: the part of the drawing that was moved onto ridges
+    ridge_moved_max: Optional[float] = None
+    ridge_clicks_moved: Optional[int] = None
+    ridge_clicks_moved_max: Optional[float] = None
     pins_added: Optional[int] = None
     edge_length_near: Optional[float] = None
     roughness_near: Optional[float] = None  #: of the mesh along the drawing, in edge_length_near

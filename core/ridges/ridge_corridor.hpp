@@ -1,0 +1,104 @@
+// A ridge corridor is the surface around a part of a drawing as a graph, in which ridges are fast.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/core/ridges/ridge_field.hpp"
+#include "talweg/intrinsic/progress.hpp"
+#include "talweg/intrinsic/surface/surface_point.hpp"
+
+namespace talweg {
+
+/// Its nodes are vertices, three points of each edge, and the points of the drawing; two are joined
+/// where they lie in a common face. Along the drawing a way costs its length, on ground four times
+/// that, and on a ridge less the more the surface turns there: at `strength` 1 as much as along the
+/// drawing where it turns by 10°, in the limit a quarter. At the rim of the corridor everything
+/// costs half as much again as at the drawing.
+class RidgeCorridor {
+ public:
+  static constexpr double kAsDrawn = 0.5;  ///< of a pull
+  struct Settings {
+    double width = 0;     ///< mesh units, > 0, along edges: how far from the drawing nodes lie
+    double strength = 0;  ///< (0, 1]
+  };
+  /// Neighbours of the line share a face. O(vertices within the width, and those of RidgeField).
+  RidgeCorridor(const SurfaceMesh& mesh, RidgeField& field, std::span<const SurfacePoint> line,
+                const Settings& settings, Asker& asker);
+
+  [[nodiscard]] std::size_t size() const { return places_.size(); }
+  [[nodiscard]] const Point& position(std::size_t node) const { return places_[node]; }
+  [[nodiscard]] SurfacePoint point(std::size_t node) const;
+  /// The same for the same vertex, or point of an edge, in all corridors on a mesh.
+  [[nodiscard]] std::uint64_t key(std::size_t node) const;
+  /// Whether the node may be used, that is, lies within the width.
+  [[nodiscard]] bool is_inside(std::size_t node) const { return inside_[node] != 0; }
+  [[nodiscard]] std::size_t drawn_count() const { return line_.size(); }
+  [[nodiscard]] std::size_t drawn_node(std::size_t k) const { return first_drawn_ + k; }
+  [[nodiscard]] bool is_drawn(std::size_t node) const { return node >= first_drawn_; }
+  /// How strongly a node attracts, [0, 1): at kAsDrawn a way costs as much as along the drawing.
+  /// For nodes that are not drawn also by the creases that they lie on.
+  [[nodiscard]] double pull(std::size_t node) const;
+  /// Whether a way between two neighbours costs at most as much as along the drawing.
+  [[nodiscard]] bool is_ridge_between(std::size_t from, std::size_t to) const;
+
+  struct Start {
+    std::size_t node = 0;
+    double cost = 0;
+  };
+  /// Costs of the cheapest ways from the starts to all nodes, infinite where there is none.
+  /// Dijkstra's algorithm. Throws Cancelled.
+  void run(std::span<const Start> starts, Asker& asker);
+  [[nodiscard]] double cost(std::size_t node) const { return cost_[node]; }
+  /// The nodes of the way that run() has found, from a start on.
+  [[nodiscard]] std::vector<std::size_t> way_to(std::size_t node) const;
+
+ private:
+  struct Face {
+    FaceId id;
+    std::array<std::uint32_t, 3> corners{}, sides{};  ///< side k runs from corner k to the next
+    std::vector<std::uint32_t> drawn;                 ///< nodes
+  };
+  void reach(double width, Asker& asker);
+  void add_faces(Asker& asker);
+  std::uint32_t vertex_node(VertexId v);
+  std::uint32_t side_number(EdgeId edge);
+  void place_nodes(RidgeField& field, const Settings& settings, Asker& asker);
+  void place_drawn(RidgeField& field, double strength);
+  [[nodiscard]] double arc_pull(const Face& face, std::size_t from, std::size_t to) const;
+  [[nodiscard]] double arc_cost(const Face& face, std::size_t from, std::size_t to) const;
+  [[nodiscard]] std::size_t element_number(std::size_t node) const;
+  template <class Visit>
+  void visit_face(const Face& face, const Visit& visit) const;
+  void relax(std::size_t from, std::size_t to, double cost);
+
+  const SurfaceMesh* mesh_;
+  std::vector<SurfacePoint> line_;
+  std::unordered_map<std::size_t, double> reached_;  // vertices: along edges from the line
+  std::unordered_map<std::size_t, std::uint32_t> vertex_nodes_, side_numbers_, face_numbers_;
+  std::vector<VertexId> vertices_;
+  std::vector<EdgeId> edges_;
+  std::vector<Face> faces_;
+  std::vector<std::vector<std::uint32_t>> faces_at_;  // per vertex, then per edge, then drawn point
+  std::size_t first_drawn_ = 0;
+  struct Element {
+    std::uint32_t vertex, edge;  // of the corridor; one or neither of them
+  };
+  std::vector<Element> elements_;  // per node
+  std::vector<Point> places_;      // per node
+  std::vector<std::uint8_t> inside_;
+  std::vector<double> pull_;       // per node: [0, 1)
+  std::vector<double> rim_;        // per node: the logarithm of what its distance costs
+  std::vector<double> edge_pull_;  // per edge of the corridor
+  std::vector<double> cost_;
+  std::vector<std::uint32_t> before_;
+  std::vector<std::pair<double, std::uint32_t>> heap_;
+};
+
+}  // namespace talweg

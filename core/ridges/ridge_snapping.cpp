@@ -1,0 +1,335 @@
+#include "talweg/core/ridges/ridge_snapping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/measure/measures.hpp"
+#include "talweg/core/mesh/smooth_ground.hpp"
+#include "talweg/core/ridges/ridge_gates.hpp"
+#include "talweg/core/ridges/ridge_way.hpp"
+#include "talweg/core/space/nearest_segment.hpp"
+#include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/point_lookup.hpp"
+
+namespace talweg {
+namespace {
+
+/// Points that stay: those that are fixed, and those that curves have in common.
+PointLookup points_that_stay(std::span<const SurfaceCurve> curves,
+                             std::span<const SurfacePoint> fixed) {
+  PointLookup stay(fixed), met;
+  for (const SurfaceCurve& curve : curves) {
+    for (const SurfacePoint& point : curve.points) {
+      if (met.contains(point)) stay.add(point);
+      met.add(point);
+    }
+  }
+  return stay;
+}
+
+double largest_distance(std::span<const Point> from, std::span<const Point> to) {
+  const NearestSegment nearest(segments_of(to, false));
+  double largest = 0;
+  for (const Point& point : from) largest = std::max(largest, nearest.to(point).distance);
+  return largest;
+}
+
+/// Puts a way together with the drawing that it leaves: of a curve, what is new of it.
+class Departures {
+ public:
+  Departures(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::vector<RidgeStep> way)
+      : mesh_(&mesh), curve_(&curve), way_(std::move(way)) {}
+
+  SurfaceCurve run(RidgeMoves& moves) {
+    if (curve_->closed) begin_on_drawing();
+    SurfaceCurve result{curve_->closed, {}};
+    const std::size_t n = way_.size(), all = curve_->closed ? n + 1 : n;
+    std::size_t from = 0;
+    if (!way_.front().drawn || (!curve_->closed && *way_.front().drawn != 0)) {
+      from = next_drawn(0, all);
+      leave({}, 0, from, result, moves);
+    }
+    while (from < all) {
+      add(way_[from % n], result);
+      const std::size_t next = next_drawn(from + 1, all);
+      if (next >= all) {
+        if (is_end(from) || curve_->closed) break;
+        leave(from, from, all, result, moves);
+        break;
+      }
+      leave(from, from, next, result, moves);
+      from = next;
+    }
+    if (curve_->closed && result.points.size() > 1 &&
+        result.points.front() == result.points.back()) {
+      result.points.pop_back();
+    }
+    moves.moved = std::min(1.0, left_ / curve_length(mesh_->surface(), *curve_));
+    return result;
+  }
+
+  /// The points of the result that are no points of the drawing.
+  [[nodiscard]] const std::vector<SurfacePoint>& made() const { return made_; }
+  /// Where way-points are now, by gate.
+  [[nodiscard]] const SurfacePoint* moved_to(std::size_t gate) const {
+    const auto there = moved_.find(gate);
+    return there == moved_.end() ? nullptr : &there->second;
+  }
+
+ private:
+  void begin_on_drawing() {
+    const auto first = std::find_if(way_.begin(), way_.end(),
+                                    [](const RidgeStep& step) { return step.drawn.has_value(); });
+    std::rotate(way_.begin(), first == way_.end() ? way_.begin() : first, way_.end());
+  }
+  [[nodiscard]] std::size_t next_drawn(std::size_t from, std::size_t all) const {
+    while (from < all && !way_[from % way_.size()].drawn) ++from;
+    return from;
+  }
+  [[nodiscard]] bool is_end(std::size_t step) const {
+    return way_[step].drawn && *way_[step].drawn + 1 == curve_->points.size();
+  }
+  static void add(const RidgeStep& step, SurfaceCurve& result) {
+    if (result.points.empty() || !(result.points.back() == step.point)) {
+      result.points.push_back(step.point);
+    }
+  }
+
+  /// What was drawn between two steps, their points included.
+  [[nodiscard]] std::vector<SurfacePoint> drawn_between(std::optional<std::size_t> from,
+                                                        std::size_t to) const {
+    const std::size_t n = curve_->points.size(), all = way_.size() + (curve_->closed ? 1 : 0);
+    std::size_t a = from ? *way_[*from % way_.size()].drawn : 0;
+    std::size_t b = to < all ? *way_[to % way_.size()].drawn : n - 1;
+    if (curve_->closed && (b < a || (b == a && to - *from >= way_.size()))) b += n;
+    if (!from && to >= all && curve_->closed) b = n;
+    std::vector<SurfacePoint> points;
+    if (b < a) return points;  // the way goes back
+    for (std::size_t i = a; i <= b; ++i) points.push_back(curve_->points[i % n]);
+    return points;
+  }
+
+  /// Whether a ridge lies under at least half of the way between two steps.
+  [[nodiscard]] bool is_on_ridge(std::size_t begin, std::size_t end) const {
+    double whole = 0, on = 0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const RidgeStep& step = way_[k % way_.size()];
+      const double length =
+          (mesh_->position(step.point) - mesh_->position(way_[(k + 1) % way_.size()].point)).norm();
+      whole += length;
+      if (step.ridge_next) on += length;
+    }
+    return whole > 0 && on >= whole / 2;
+  }
+
+  /// Adds what lies between two steps that are drawn, or between one and an end of the curve.
+  void leave(std::optional<std::size_t> from, std::size_t begin, std::size_t end,
+             SurfaceCurve& result, RidgeMoves& moves) {
+    const std::size_t all = way_.size() + (curve_->closed ? 1 : 0);
+    const std::vector<SurfacePoint> drawn = drawn_between(from, end);
+    const bool is_drawn = end == begin + 1 && drawn.size() == 2;
+    const std::size_t last = std::min(end, all - 1);
+    if (is_drawn) return;
+    if (!drawn.empty() && !is_on_ridge(begin, last)) {
+      for (const SurfacePoint& point : drawn) add({point, {}, {}, false}, result);
+      return;
+    }
+    std::vector<Point> places, before;
+    for (std::size_t k = begin; k <= last; ++k) {
+      const RidgeStep& step = way_[k % way_.size()];
+      places.push_back(mesh_->position(step.point));
+      if (step.drawn) continue;
+      add(step, result);
+      made_.push_back(step.point);
+      if (step.gate) moved_.insert_or_assign(*step.gate, step.point);
+    }
+    for (const SurfacePoint& point : drawn) before.push_back(mesh_->position(point));
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) left_ += (before[i + 1] - before[i]).norm();
+    if (before.empty() || places.empty()) return;
+    moves.farthest = std::max(
+        {moves.farthest, largest_distance(places, before), largest_distance(before, places)});
+  }
+
+  const SurfaceMesh* mesh_;
+  const SurfaceCurve* curve_;
+  std::vector<RidgeStep> way_;
+  std::vector<SurfacePoint> made_;
+  std::unordered_map<std::size_t, SurfacePoint> moved_;  // only looked up
+  double left_ = 0;                                      // of the drawing's length
+};
+
+/// What is known of a curve before it is moved.
+struct Setting {
+  RidgeBand band;
+  double scale = 0, roughness = 0;
+};
+
+Setting setting_of(const SurfaceMesh& mesh, const SurfaceCurve& curve, const RidgeOptions& options,
+                   const Progress& progress) {
+  constexpr double kOfLength = 1.0 / 40, kMostOfLength = 1.0 / 4, kLeast = 4, kMost = 12;
+  constexpr double kLegPart = 1.0 / 4, kLegEdges = 40;
+  constexpr double kScale = 3, kOfRoughness = 10, kOfBand = 1.0 / 3, kMostOfBand = 4;
+  const double edge = edge_length_near(mesh.surface(), curve);
+  const double length = curve_length(mesh.surface(), curve);
+  Setting setting;
+  if (options.band) {
+    setting.band = {*options.band, 0, 0, edge};
+  } else {
+    const double band = std::clamp(kOfLength * length, kLeast * edge, kMost * edge);
+    setting.band = {std::min(band, kMostOfLength * length), kLegPart, kLegEdges * edge, edge};
+  }
+  setting.roughness = roughness_along(mesh, std::span(&curve, 1), progress);
+  setting.scale = std::max((kScale + kOfRoughness * setting.roughness) * edge,
+                           std::min(kOfBand * setting.band.width, kMostOfBand * edge));
+  return setting;
+}
+
+/// Moves curve after curve of a drawing.
+class Snapping {
+ public:
+  Snapping(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+           std::span<const SurfacePoint> fixed, TakenPoints points, const RidgeOptions& options,
+           const Progress& progress)
+      : mesh_(&mesh),
+        stay_(points_that_stay(curves, fixed)),
+        options_(options),
+        progress_(progress),
+        asker_(progress, "draw") {
+    result_.curves.assign(curves.begin(), curves.end());
+    result_.points = std::move(points);
+  }
+
+  RidgedDrawing run() {
+    const TakenPoints given = result_.points;
+    for (std::size_t c = 0; c < result_.curves.size(); ++c) {
+      asker_.is_at(static_cast<double>(c) / static_cast<double>(result_.curves.size()));
+      move(c, given);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void move(std::size_t c, const TakenPoints& given) {
+    SurfaceCurve& curve = result_.curves[c];
+    const Setting setting = setting_of(*mesh_, curve, options_, progress_);
+    RidgeMoves moves{options_.strength, setting.band.width, setting.scale, 0, 0, 0, 0};
+    const RidgeGates gates =
+        ridge_gates(*mesh_, curve, stay_, given.way_points, given.painted, setting.band);
+    RidgeField field(*mesh_, options_.kind, setting.scale, setting.roughness);
+    Departures departures(*mesh_, curve,
+                          ridge_way(*mesh_, field, curve, gates, options_.strength, asker_));
+    SurfaceCurve moved = departures.run(moves);
+    if (is_curve(moved) && !departures.made().empty()) {
+      move_way_points(curve, gates, departures, moves);
+      if (has_way_points(moved)) {
+        std::vector<SurfacePoint>& painted = result_.points.painted;
+        painted.insert(painted.end(), departures.made().begin(), departures.made().end());
+      }
+      curve = std::move(moved);
+    } else {
+      moves.moved = moves.farthest = 0;
+    }
+    result_.moves.push_back(moves);
+  }
+
+  /// A loop whose whole way collapsed onto one place is left as it was.
+  [[nodiscard]] static bool is_curve(const SurfaceCurve& curve) {
+    return curve.points.size() >= (curve.closed ? 3U : 2U);
+  }
+
+  void move_way_points(const SurfaceCurve& curve, const RidgeGates& gates,
+                       const Departures& departures, RidgeMoves& moves) {
+    for (std::size_t g = 0; g < gates.gates.size(); ++g) {
+      const SurfacePoint* to = departures.moved_to(g);
+      if (!gates.gates[g].is_click || to == nullptr) continue;
+      const SurfacePoint& from = curve.points[gates.gates[g].point];
+      for (WayPoint& way : result_.points.way_points) {
+        if (way.point == from) way.point = *to;
+      }
+      ++moves.clicks;
+      moves.farthest_click =
+          std::max(moves.farthest_click, (mesh_->position(from) - mesh_->position(*to)).norm());
+    }
+  }
+
+  [[nodiscard]] bool has_way_points(const SurfaceCurve& curve) const {
+    const PointLookup points(curve.points);
+    return std::any_of(result_.points.way_points.begin(), result_.points.way_points.end(),
+                       [&](const WayPoint& way) { return points.contains(way.point); });
+  }
+
+  const SurfaceMesh* mesh_;
+  PointLookup stay_;
+  RidgeOptions options_;
+  Progress progress_;
+  Asker asker_;
+  RidgedDrawing result_;
+};
+
+}  // namespace
+
+void RidgeOptions::validate() const {
+  if (!(strength >= 0 && strength <= 1)) {
+    throw Error(ErrorCode::kBadUsage, "The strength of ridges must be between 0 and 1.");
+  }
+  if (band && !(*band > 0 && std::isfinite(*band))) {
+    throw Error(ErrorCode::kBadUsage, "The band around ridges must be finite and above 0.");
+  }
+}
+
+std::string RidgeMoves::sentence(std::size_t curve) const {
+  if (moved == 0 && farthest == 0) {
+    return fmt::format(
+        "Curve {} stays as it was drawn: no ridge that is strong enough lies within {:.3g} mesh "
+        "units of it.",
+        curve, band);
+  }
+  std::string text = fmt::format(
+      "{:.0f} % of curve {} were moved onto ridges, by up to {:.3g} mesh units (band {:.3g}, "
+      "strength {:g}).",
+      100 * moved, curve, farthest, band, strength);
+  if (clicks > 0) {
+    text += fmt::format(" {} of its clicks moved along, by up to {:.3g}.", clicks, farthest_click);
+  }
+  return text;
+}
+
+std::vector<ReportEntry> entries_of(const RidgeMoves& moves) {
+  return {{"ridge_strength", moves.strength},
+          {"ridge_band", moves.band},
+          {"ridge_moved", moves.moved},
+          {"ridge_moved_max", moves.farthest},
+          {"ridge_clicks_moved", std::uint64_t{moves.clicks}},
+          {"ridge_clicks_moved_max", moves.farthest_click}};
+}
+
+std::vector<ReportEntry> total_entries(std::span<const RidgeMoves> moves) {
+  if (moves.empty()) return {};
+  RidgeMoves most = moves.front();
+  for (const RidgeMoves& curve : moves.subspan(1)) {
+    most.band = std::max(most.band, curve.band);
+    most.moved = std::max(most.moved, curve.moved);
+    most.farthest = std::max(most.farthest, curve.farthest);
+    most.clicks += curve.clicks;
+    most.farthest_click = std::max(most.farthest_click, curve.farthest_click);
+  }
+  return entries_of(most);
+}
+
+RidgedDrawing snapped_to_ridges(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
+                                std::span<const SurfacePoint> fixed, TakenPoints points,
+                                const RidgeOptions& options, const Progress& progress) {
+  options.validate();
+  if (options.strength == 0) {
+    return {{curves.begin(), curves.end()}, std::move(points), {}};
+  }
+  return Snapping(mesh, curves, fixed, std::move(points), options, progress).run();
+}
+
+}  // namespace talweg

@@ -1,0 +1,39 @@
+#include "ridge_choice.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace talweg::plugins {
+namespace {
+
+constexpr const char* kKinds[] = {"both", "convex", "concave"};
+constexpr const char* kKindLabels[] = {"Ridges and valleys", "Ridges", "Valleys"};
+
+}  // namespace
+
+std::vector<talweg_parameter> ridge_choice(std::uint32_t stage) {
+  using plugin::choice, plugin::number;
+  return {
+      number("ridges", "Snap to ridges", "", 0, {0, 1, 0, 1},
+             "How strongly ridges, creases and valleys beside the drawing attract it; clicks move "
+             "along, pins stay. 0: not at all; at 1 the surface must turn by 10 degrees, at 0.5 by "
+             "20.",
+             stage),
+      choice("ridge_kind", "Kind of ridges", "both", kKinds, kKindLabels,
+             "convex: ridges, which stand out; concave: valleys; both.", stage, TALWEG_ADVANCED),
+      number("ridge_band", "Band of ridges", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "How far from the drawing a ridge may lie. By default a fortieth of its length, 4 to "
+             "12 edges of the mesh; between two clicks a quarter of the way.",
+             stage, TALWEG_OPTIONAL | TALWEG_ADVANCED | TALWEG_OPEN_MINIMUM),
+  };
+}
+
+RidgeOptions ridge_options_of(const plugin::Parameters& parameters) {
+  RidgeOptions options;
+  options.strength = parameters.number("ridges");
+  options.kind = ridge_kind(parameters.choice("ridge_kind"));
+  options.band = parameters.optional("ridge_band");
+  return options;
+}
+
+}  // namespace talweg::plugins

@@ -1,0 +1,15 @@
+// The ridge choice is the parameters by which drawings move onto ridges and valleys.
+#pragma once
+
+#include <vector>
+
+#include "talweg/core/ridges/ridge_snapping.hpp"
+#include "talweg/plugin/talweg_parameters.hpp"
+
+namespace talweg::plugins {
+
+/// `ridges`, `ridge_kind` and `ridge_band`, of this stage.
+std::vector<talweg_parameter> ridge_choice(std::uint32_t stage);
+RidgeOptions ridge_options_of(const plugin::Parameters& parameters);
+
+}  // namespace talweg::plugins
