@@ -121,11 +121,11 @@ TEST(KnownFaces, StayAsTheyWereCopied) {
   ASSERT_TRUE(faces.contain(face));
   EXPECT_EQ(faces.at(face).front, 0);
   while (!front.is_done()) front.march();
-  EXPECT_TRUE(std::isinf(faces.at(face).ways.hit(middle).nearest.distance));
+  EXPECT_TRUE(std::isinf(faces.at(face).paths.hit(middle).nearest.distance));
 
   faces.copy(face, front, no_pieces);
   faces.copy(FaceId{0}, front, no_pieces);
-  EXPECT_NEAR(faces.at(face).ways.hit(middle).nearest.distance, expected, 1e-9);
+  EXPECT_NEAR(faces.at(face).paths.hit(middle).nearest.distance, expected, 1e-9);
   EXPECT_TRUE(std::isinf(faces.at(face).front));
   faces.clear();
   EXPECT_FALSE(faces.contain(face));
