@@ -26,16 +26,16 @@ double pull_of(double angle, double strength) {
 
 RidgeCorridor::RidgeCorridor(const SurfaceMesh& mesh, RidgeField& field,
                              std::span<const SurfacePoint> line, const Settings& settings,
-                             Asker& asker)
+                             ProgressPoller& poller)
     : mesh_(&mesh), line_(line.begin(), line.end()) {
-  reach(settings.width, asker);
-  add_faces(asker);
-  place_nodes(field, settings, asker);
+  reach(settings.width, poller);
+  add_faces(poller);
+  place_nodes(field, settings, poller);
   place_drawn(field, settings.strength);
 }
 
 /// Dijkstra's algorithm along edges from the line, up to the width.
-void RidgeCorridor::reach(double width, Asker& asker) {
+void RidgeCorridor::reach(double width, ProgressPoller& poller) {
   const Surface& surface = mesh_->surface();
   using Entry = std::pair<double, std::size_t>;
   std::vector<Entry> heap;
@@ -58,7 +58,7 @@ void RidgeCorridor::reach(double width, Asker& asker) {
     const auto [distance, index] = heap.back();
     heap.pop_back();
     if (reached_.at(index) < distance) continue;
-    asker.did(8);
+    poller.add_work(8);
     const HalfedgeId first = surface.halfedge(VertexId{index});
     for (HalfedgeId h = first; h.valid();) {
       offer(surface.head(h), distance + surface.length(edge_of(h)));
@@ -84,7 +84,7 @@ std::uint32_t RidgeCorridor::side_number(EdgeId edge) {
 }
 
 /// All faces at vertices that were reached, and those of the line, in the order of their numbers.
-void RidgeCorridor::add_faces(Asker& asker) {
+void RidgeCorridor::add_faces(ProgressPoller& poller) {
   const Surface& surface = mesh_->surface();
   std::vector<std::size_t> ids;
   const auto add = [&](const SurfacePoint& point) {
@@ -98,7 +98,7 @@ void RidgeCorridor::add_faces(Asker& asker) {
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   faces_.reserve(ids.size());
   for (const std::size_t id : ids) {
-    asker.did(8);
+    poller.add_work(8);
     Face face{FaceId{id}, {}, {}, {}};
     HalfedgeId side = surface.halfedge(face.id);
     for (std::size_t k = 0; k < 3; ++k, side = surface.next(side)) {
@@ -115,13 +115,13 @@ void RidgeCorridor::add_faces(Asker& asker) {
   }
 }
 
-void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings, Asker& asker) {
+void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings, ProgressPoller& poller) {
   first_drawn_ = vertices_.size() + kOnEdge * edges_.size();
   std::vector<double> away, ridge;
   for (const VertexId v : vertices_) {
     const auto there = reached_.find(v.index());
     away.push_back(there == reached_.end() ? kNever : there->second / settings.width);
-    asker.did(400);
+    poller.add_work(400);
     ridge.push_back(there == reached_.end() ? 0 : field.at(v));
   }
   const auto add = [&](const Point& place, double from_line, double angle) {
@@ -145,7 +145,7 @@ void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings, Ask
           (1 - t) * ridge[a] + t * ridge[b]);
       elements_.push_back({kNobody, side_numbers_.at(edge.index())});
     }
-    asker.did(20);
+    poller.add_work(20);
     edge_pull_.push_back(pull_of(field.along(edge), settings.strength));
   }
 }
@@ -262,7 +262,7 @@ void RidgeCorridor::relax(std::size_t from, std::size_t to, double cost) {
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
 }
 
-void RidgeCorridor::run(std::span<const Start> starts, Asker& asker) {
+void RidgeCorridor::run(std::span<const Start> starts, ProgressPoller& poller) {
   cost_.assign(size(), kNever);
   before_.assign(size(), kNobody);
   heap_.clear();
@@ -272,7 +272,7 @@ void RidgeCorridor::run(std::span<const Start> starts, Asker& asker) {
     const auto [cost, node] = heap_.back();
     heap_.pop_back();
     if (cost > cost_[node]) continue;
-    asker.did(20);
+    poller.add_work(20);
     for (const std::uint32_t f : faces_at_[element_number(node)]) {
       visit_face(faces_[f], [&, cost = cost, node = node](std::size_t to) {
         if (to == node || inside_[to] == 0 || cost_[to] <= cost) return;

@@ -30,7 +30,7 @@ class RidgeCorridor {
   };
   /// Neighbours of the line share a face. O(vertices within the width, and those of RidgeField).
   RidgeCorridor(const SurfaceMesh& mesh, RidgeField& field, std::span<const SurfacePoint> line,
-                const Settings& settings, Asker& asker);
+                const Settings& settings, ProgressPoller& poller);
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] const Point& position(std::size_t node) const { return places_[node]; }
@@ -54,7 +54,7 @@ class RidgeCorridor {
   };
   /// Costs of the cheapest ways from the starts to all nodes, infinite where there is none.
   /// Dijkstra's algorithm. Throws Cancelled.
-  void run(std::span<const Start> starts, Asker& asker);
+  void run(std::span<const Start> starts, ProgressPoller& poller);
   [[nodiscard]] double cost(std::size_t node) const { return cost_[node]; }
   /// The nodes of the way that run() has found, from a start on.
   [[nodiscard]] std::vector<std::size_t> way_to(std::size_t node) const;
@@ -65,11 +65,11 @@ class RidgeCorridor {
     std::array<std::uint32_t, 3> corners{}, sides{};  ///< side k runs from corner k to the next
     std::vector<std::uint32_t> drawn;                 ///< nodes
   };
-  void reach(double width, Asker& asker);
-  void add_faces(Asker& asker);
+  void reach(double width, ProgressPoller& poller);
+  void add_faces(ProgressPoller& poller);
   std::uint32_t vertex_node(VertexId v);
   std::uint32_t side_number(EdgeId edge);
-  void place_nodes(RidgeField& field, const Settings& settings, Asker& asker);
+  void place_nodes(RidgeField& field, const Settings& settings, ProgressPoller& poller);
   void place_drawn(RidgeField& field, double strength);
   [[nodiscard]] double arc_pull(const Face& face, std::size_t from, std::size_t to) const;
   [[nodiscard]] double arc_cost(const Face& face, std::size_t from, std::size_t to) const;

@@ -200,7 +200,7 @@ class Snapping {
         stay_(points_that_stay(curves, fixed)),
         options_(options),
         progress_(progress),
-        asker_(progress, "draw") {
+        poller_(progress, "draw") {
     result_.curves.assign(curves.begin(), curves.end());
     result_.points = std::move(points);
   }
@@ -208,7 +208,7 @@ class Snapping {
   RidgedDrawing run() {
     const TakenPoints given = result_.points;
     for (std::size_t c = 0; c < result_.curves.size(); ++c) {
-      asker_.is_at(static_cast<double>(c) / static_cast<double>(result_.curves.size()));
+      poller_.set_fraction(static_cast<double>(c) / static_cast<double>(result_.curves.size()));
       move(c, given);
     }
     return std::move(result_);
@@ -223,7 +223,7 @@ class Snapping {
         ridge_gates(*mesh_, curve, stay_, given.way_points, given.painted, setting.band);
     RidgeField field(*mesh_, options_.kind, setting.scale, setting.roughness);
     Departures departures(*mesh_, curve,
-                          ridge_way(*mesh_, field, curve, gates, options_.strength, asker_));
+                          ridge_way(*mesh_, field, curve, gates, options_.strength, poller_));
     SurfaceCurve moved = departures.run(moves);
     if (is_curve(moved) && !departures.made().empty()) {
       move_way_points(curve, gates, departures, moves);
@@ -268,7 +268,7 @@ class Snapping {
   PointLookup stay_;
   RidgeOptions options_;
   Progress progress_;
-  Asker asker_;
+  ProgressPoller poller_;
   RidgedDrawing result_;
 };
 

@@ -26,8 +26,8 @@ using GateNodes = std::unordered_map<std::uint64_t, GateNode>;  // only looked u
 class WayFinder {
  public:
   WayFinder(const SurfaceMesh& mesh, RidgeField& field, const SurfaceCurve& curve,
-            const RidgeGates& gates, double strength, Asker& asker)
-      : mesh_(&mesh), curve_(&curve), gates_(&gates), asker_(&asker) {
+            const RidgeGates& gates, double strength, ProgressPoller& poller)
+      : mesh_(&mesh), curve_(&curve), gates_(&gates), poller_(&poller) {
     const std::size_t n = curve.points.size(), m = gates.gates.size();
     for (std::size_t k = 0; k < gates.widths.size(); ++k) {
       std::vector<SurfacePoint> line;
@@ -37,7 +37,7 @@ class WayFinder {
       }
       line.push_back(curve.points[to]);
       legs_.emplace_back(mesh, field, line, RidgeCorridor::Settings{gates.widths[k], strength},
-                         asker);
+                         poller);
     }
   }
 
@@ -93,7 +93,7 @@ class WayFinder {
     }
     for (std::size_t k = 0; k < legs_.size(); ++k) {
       const std::size_t leg = (first + k) % legs_.size();
-      legs_[leg].run(starts, *asker_);
+      legs_[leg].run(starts, *poller_);
       if (k + 1 == legs_.size()) return;
       const std::size_t next = (leg + 1) % legs_.size();
       const GateNodes entries = nodes_at(next, false);
@@ -180,7 +180,7 @@ class WayFinder {
   const SurfaceMesh* mesh_;
   const SurfaceCurve* curve_;
   const RidgeGates* gates_;
-  Asker* asker_;
+  ProgressPoller* poller_;
   std::vector<RidgeCorridor> legs_;
   std::vector<std::uint64_t> passed_;  // per gate, by the last way_back()
 };
@@ -189,8 +189,8 @@ class WayFinder {
 
 std::vector<RidgeStep> ridge_way(const SurfaceMesh& mesh, RidgeField& field,
                                  const SurfaceCurve& curve, const RidgeGates& gates,
-                                 double strength, Asker& asker) {
-  return WayFinder(mesh, field, curve, gates, strength, asker).find();
+                                 double strength, ProgressPoller& poller) {
+  return WayFinder(mesh, field, curve, gates, strength, poller).find();
 }
 
 }  // namespace talweg

@@ -28,6 +28,6 @@ struct RidgeStep {
 /// Throws Cancelled. O(corridors), see RidgeCorridor.
 std::vector<RidgeStep> ridge_way(const SurfaceMesh& mesh, RidgeField& field,
                                  const SurfaceCurve& curve, const RidgeGates& gates,
-                                 double strength, Asker& asker);
+                                 double strength, ProgressPoller& poller);
 
 }  // namespace talweg

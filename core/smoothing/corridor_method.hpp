@@ -41,7 +41,7 @@ class CorridorMethod {
   DomainResult smooth_in_own_valleys(const SmoothingOptions& options, const Progress& progress);
   /// The straightened curves for these options, in the valleys of set() or solve().
   std::vector<SurfaceCurve> taut(const SmoothingOptions& options, const Progress& progress);
-  /// CorridorHold::fair() in the valleys of set() or solve().
+  /// CorridorSolver::fair() in the valleys of set() or solve().
   std::optional<SurfaceCurve> fair(double tau, const SurfaceCurve& curve,
                                    std::span<const SurfacePoint> fixed, const Progress& progress);
 

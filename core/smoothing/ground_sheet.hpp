@@ -1,4 +1,4 @@
-// The ground sheet smooths on a rough mesh without its roughness.
+// The ground domain smooths on a rough mesh without its roughness.
 #pragma once
 
 #include <memory>
@@ -33,7 +33,7 @@ class GroundDomain final : public SmoothingDomain {
   const OrderedDrawing* drawing_;
   CurveOptions options_;
   OrderedDrawing there_;             // the drawing as curves on the ground
-  std::unique_ptr<SmoothingDomain> ground_;    // the sheet on the ground
+  std::unique_ptr<SmoothingDomain> ground_;    // the domain on the ground
   std::unique_ptr<SmoothingDomain> as_it_is_;  // on the mesh; made on first use
   double solve_ms_ = 0;
 };

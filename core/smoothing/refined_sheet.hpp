@@ -1,4 +1,4 @@
-// The refined sheet smooths on the part of a mesh around a drawing, with faces as fine as the
+// The refined domain smooths on the part of a mesh around a drawing, with faces as fine as the
 // drawing.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A sheet is the surface on which a drawing is smoothed: the mesh, or a surface made for the
+// A smoothing domain is the surface on which a drawing is smoothed: the mesh, or a surface made for the
 // drawing.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace talweg {
 
-/// Converts a drawing from its mesh to the sheet, smooths it there, and converts results back.
+/// Converts a drawing from its mesh to the domain, smooths it there, and converts results back.
 /// Arguments and results are on the mesh, in the drawing's order. Every non-const function throws
 /// Cancelled; set_pins() must then be called again.
 class SmoothingDomain {
@@ -33,7 +33,7 @@ class SmoothingDomain {
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
   /// Per curve, the corridor's default slack, mesh units; empty for the paper's method.
   [[nodiscard]] virtual std::vector<double> slack() const = 0;
-  /// Per curve, its valley in the corridor; null if the sheet is not the mesh itself.
+  /// Per curve, its valley in the corridor; null if the domain is not the mesh itself.
   [[nodiscard]] virtual const std::vector<Corridor::Valley>* valleys() const { return nullptr; }
   /// The paper's distance per mesh vertex; empty if not known.
   [[nodiscard]] virtual std::span<const double> distance() const { return {}; }

@@ -1,4 +1,4 @@
-// An undivided sheet has undivided faces of its mesh: the whole mesh, or strips of it.
+// An undivided domain has undivided faces of its mesh: the whole mesh, or strips of it.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,10 @@
 
 namespace talweg {
 
-/// An UnrolledSheet for curves that cross themselves or each other, else a WholeSheet. Crossing
-/// curves that consist of legs only also get a WholeSheet. `fence`: for a part of a mesh
+/// An UnrolledDomain for curves that cross themselves or each other, else a MeshDomain. Crossing
+/// curves that consist of legs only also get a MeshDomain. `fence`: for a part of a mesh
 /// (EmbeddedDrawing::Ground), or null. `distance`: a given paper's distance per mesh vertex, used
-/// unchanged. The sheet refers to the memory and the drawing. Throws as embed_curves() does, and
+/// unchanged. The domain refers to the memory and the drawing. Throws as embed_curves() does, and
 /// Cancelled. Cost: embedding and path_contacts(), plus unrolling and embedding again if needed.
 std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
                                            const CurveOptions& options,

@@ -1,4 +1,4 @@
-// The unrolled sheet has strips of surface for crossing curves; on the strips the curves do not
+// The unrolled domain has strips of surface for crossing curves; on the strips the curves do not
 // cross.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The whole sheet is the mesh itself.
+// The mesh domain is the mesh itself.
 #pragma once
 
 #include <optional>
