@@ -31,7 +31,7 @@ struct LeftOut {
   std::function<bool(std::uint32_t, std::uint32_t)> chord;  ///< whether an inner side is excluded
   std::set<Triangle> triangles;                             ///< corners ascending
   std::size_t whole =
-      256;                 ///< largest number of points for which all triangulations are considered
+      256;  ///< largest number of points for which all triangulations are considered
   ProgressPoller* poller = nullptr;  ///< work is reported to it, if not null
 
   [[nodiscard]] bool has(Triangle triangle) const {

@@ -202,8 +202,8 @@ class Follower {
   }
 
  private:
-  /// Joins faces across edges without a chain to components (pieces_), and collects the sides of all
-  /// chains.
+  /// Joins faces across edges without a chain to components (pieces_), and collects the sides of
+  /// all chains.
   void gather() {
     EdgeLists edges(cut_);
     edges.each_edge([&](std::uint32_t low, std::span<const AtEdge> here) {

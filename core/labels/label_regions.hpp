@@ -36,7 +36,7 @@ RegionParts parts_of_regions(const SurfaceMesh& mesh, std::span<const std::int64
 struct CutRegions {
   std::vector<std::uint32_t> part_of_face;  ///< per face of the cut mesh
   std::vector<double> area;                 ///< per part, squared mesh units
-  std::vector<std::size_t> pieces;           ///< per part: its number of connected pieces
+  std::vector<std::size_t> pieces;          ///< per part: its number of connected pieces
   /// Borders (ascending) that fail a check: borders that cross or touch another border or
   /// themselves except at ends, that have another part beside them than in the drawing, or that
   /// bound a piece separated from the rest of its part. If the list is empty, each part exists in

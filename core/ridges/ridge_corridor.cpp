@@ -115,7 +115,8 @@ void RidgeCorridor::add_faces(ProgressPoller& poller) {
   }
 }
 
-void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings, ProgressPoller& poller) {
+void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings,
+                                ProgressPoller& poller) {
   first_drawn_ = vertices_.size() + kOnEdge * edges_.size();
   std::vector<double> away, ridge;
   for (const VertexId v : vertices_) {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "talweg/core/lifting/relaxation.hpp"
-#include "talweg/core/smoothing/corridor_hold.hpp"
+#include "talweg/core/smoothing/corridor_solver.hpp"
 #include "talweg/core/smoothing/corridor_valleys.hpp"
 #include "talweg/core/smoothing/fair_finishing.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 /// Smooths without the ladder: the result depends on this tau only.
 DomainResult smooth_for_itself(CorridorSolver& solver, const SmoothingOptions& options,
-                           const Progress& progress) {
+                               const Progress& progress) {
   std::optional<Straightened> flat;
   const std::size_t curves = solver.drawing().drawing().curves().size();
   bool free = true;

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "talweg/core/lifting/corridor.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/fair_ladder.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"

@@ -140,7 +140,7 @@ class CurveSmoother {
   std::unique_ptr<OrderedDrawing> drawing_;  // of cleaned_
   CurveOptions curve_options_;
   double roughness_ = 0;                      // roughness_along() of the drawing
-  std::unique_ptr<SmoothingDomain> domain_;              // null if no curve is set
+  std::unique_ptr<SmoothingDomain> domain_;   // null if no curve is set
   std::unique_ptr<Last> last_;                // the last result of smooth(), in canonical order
   std::unique_ptr<Dragging> dragging_;        // made on first use
   std::unique_ptr<CurveSmoother> previewer_;  // for drag_whole(); made on first use

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"

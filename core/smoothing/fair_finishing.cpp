@@ -120,8 +120,9 @@ void FairFinishing::begin(const FairGroup& group, const std::optional<SampleChai
     set(c, solver_->in_narrow_band(options_->tau_of(c), c, taut_().curves[c], poller_));
     return;
   }
-  if (any_legs && !total_turn_reaches(kNoTurn, solver_->drawing().surface(), taut(attempts_[a]).curve,
-                            solver_->drawing().corners())) {  // straight legs are fair
+  if (any_legs &&
+      !total_turn_reaches(kNoTurn, solver_->drawing().surface(), taut(attempts_[a]).curve,
+                          solver_->drawing().corners())) {  // straight legs are fair
     for (const JoinedCurves::Part& part : group.joined.parts) {
       set(part.curve, taut_().curves[part.curve]);
     }
@@ -179,7 +180,8 @@ void FairFinishing::make_fair(std::size_t number) {
     attempt.tries = kBent;
   }
   const FairGroup group = attempt.group;  // a copy: attempts_ may grow
-  const auto curves = split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
+  const auto curves =
+      split_at_junctions(group.joined, group.junctions, fair ? *fair : taut(attempt).curve);
   for (std::size_t k = 0; k < curves.size(); ++k) set(group.joined.parts[k].curve, curves[k]);
   if (fair) return;
   attempt.tries = kGivenUp;

@@ -11,9 +11,9 @@
 
 #include "talweg/core/drawing/crossings.hpp"
 #include "talweg/core/fairing/sample_chain.hpp"
-#include "talweg/core/smoothing/corridor_hold.hpp"
+#include "talweg/core/smoothing/corridor_solver.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/fair_group.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 

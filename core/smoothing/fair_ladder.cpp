@@ -121,7 +121,7 @@ void FairLadder::keep_for(const CorridorSolver& solver, const SmoothingOptions& 
 }
 
 DomainResult FairLadder::smooth(CorridorSolver& solver, const SmoothingOptions& options,
-                            const Progress& progress) {
+                                const Progress& progress) {
   const bool whole = options.prepare_whole_mesh;  // its report has other counts
   if (whole) clear();
   keep_for(solver, options);

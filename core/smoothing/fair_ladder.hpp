@@ -8,8 +8,8 @@
 
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/lifting/corridor.hpp"
-#include "talweg/core/smoothing/corridor_hold.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
+#include "talweg/core/smoothing/corridor_solver.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
@@ -33,7 +33,8 @@ class FairLadder {
   void clear();
   /// The result for options with a rung for some curve. The rungs are kept for later calls with the
   /// same Setting. Throws Cancelled.
-  DomainResult smooth(CorridorSolver& solver, const SmoothingOptions& options, const Progress& progress);
+  DomainResult smooth(CorridorSolver& solver, const SmoothingOptions& options,
+                      const Progress& progress);
 
  private:
   struct Rung {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "talweg/core/lifting/paper_lift.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
 
@@ -21,7 +21,7 @@ struct GivenPotential {
 
 /// Straightens the curves in a given potential, and relaxes them. Throws Cancelled.
 DomainResult smooth_in(EmbeddedDrawing& drawing, const GivenPotential& potential,
-                   const SmoothingOptions& options, const Progress& progress);
+                       const SmoothingOptions& options, const Progress& progress);
 
 /// The method of Pawellek, Rössl & Lawonn, sections 3.3 and 4, with the distance of the heat method
 /// or a given distance. Refers to the constructor's arguments. Cost: PaperLift once per drawing,

@@ -3,8 +3,8 @@
 
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/mesh/opened_mesh.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/core/smoothing/smoothing_result.hpp"
 

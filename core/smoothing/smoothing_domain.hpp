@@ -1,5 +1,5 @@
-// A smoothing domain is the surface on which a drawing is smoothed: the mesh, or a surface made for the
-// drawing.
+// A smoothing domain is the surface on which a drawing is smoothed: the mesh, or a surface made for
+// the drawing.
 #pragma once
 
 #include <span>
@@ -7,9 +7,9 @@
 
 #include "talweg/core/drawing/point_copies.hpp"
 #include "talweg/core/lifting/corridor.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/ordered_drawing.hpp"
 #include "talweg/core/smoothing/paper_method.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/progress.hpp"
@@ -29,7 +29,7 @@ class SmoothingDomain {
 
   /// `given`: a potential on the mesh that replaces the method's potential; null for none.
   virtual DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
-                          const Progress& progress) = 0;
+                              const Progress& progress) = 0;
   virtual void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) = 0;
   /// Per curve, the corridor's default slack, mesh units; empty for the paper's method.
   [[nodiscard]] virtual std::vector<double> slack() const = 0;

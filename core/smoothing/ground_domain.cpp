@@ -1,9 +1,9 @@
-#include "talweg/core/smoothing/ground_sheet.hpp"
+#include "talweg/core/smoothing/ground_domain.hpp"
 
 #include <utility>
 
+#include "talweg/core/smoothing/domain_choice.hpp"
 #include "talweg/core/smoothing/drawing_deviation.hpp"
-#include "talweg/core/smoothing/sheet_choice.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/refined_sheet.hpp"
+#include "talweg/core/smoothing/refined_domain.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,7 @@
 #include "talweg/core/drawing/drawn_legs.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
-#include "talweg/core/smoothing/undivided_sheet.hpp"
+#include "talweg/core/smoothing/undivided_domain.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg {
@@ -143,7 +143,7 @@ DomainResult RefinedDomain::smooth(const SmoothingOptions& options, const GivenP
 
 /// The result in the order of the drawing, on the refined part.
 DomainResult RefinedDomain::smooth_on(const Part& part, const SmoothingOptions& options,
-                                 const GivenPotential* given, const Progress& progress) {
+                                      const GivenPotential* given, const Progress& progress) {
   SmoothingOptions own = options;
   for (std::size_t c = 0; c < options.slack_at.size(); ++c) {
     own.slack_at[c] = slack_on(part, c, options.slack_at[c]);
@@ -159,7 +159,7 @@ DomainResult RefinedDomain::smooth_on(const Part& part, const SmoothingOptions& 
 
 /// The slack along the curve on the refined part, linear between the points of the drawing.
 std::vector<double> RefinedDomain::slack_on(const Part& part, std::size_t curve,
-                                           const std::vector<double>& drawn) const {
+                                            const std::vector<double>& drawn) const {
   const std::size_t n = drawing_->curves()[curve].points.size();
   std::vector<double> result;
   for (std::size_t i = 0; i < part.drawing.drawn()[curve].points.size(); ++i) {

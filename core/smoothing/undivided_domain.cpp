@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/undivided_sheet.hpp"
+#include "talweg/core/smoothing/undivided_domain.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "talweg/core/drawing/crossings.hpp"
-#include "talweg/core/smoothing/unrolled_sheet.hpp"
-#include "talweg/core/smoothing/whole_sheet.hpp"
+#include "talweg/core/smoothing/mesh_domain.hpp"
+#include "talweg/core/smoothing/unrolled_domain.hpp"
 
 namespace talweg {
 

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/whole_sheet.hpp"
+#include "talweg/core/smoothing/mesh_domain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ DomainResult MeshDomain::smooth(const SmoothingOptions& options, const GivenPote
 }
 
 DomainResult MeshDomain::curves(const SmoothingOptions& options, const GivenPotential* given,
-                            const Progress& progress) {
+                                const Progress& progress) {
   // A given potential has no effect on crossing legs, which are never straightened together.
   const bool lifted = given != nullptr && !drawing_.may_cross();
   DomainResult result = lifted      ? smooth_in(drawing_, *given, options, progress)

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "talweg/core/lifting/paper_lift.hpp"
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/mesh_domain.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 #include "talweg/core/smoothing/unrolled_mesh.hpp"
-#include "talweg/core/smoothing/whole_sheet.hpp"
 
 namespace talweg {
 
@@ -25,8 +25,8 @@ class UnrolledDomain final : public SmoothingDomain {
   /// Clears the memory's straightening, in which the drawing must be embedded. `alone`: per curve,
   /// whether it needs a separate strip. `distance`: for the paper's method, if given.
   UnrolledDomain(SmoothingMemory& memory, const OrderedDrawing& drawing, CurveOptions options,
-                const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
-                const Progress& progress);
+                 const std::vector<bool>& alone, std::optional<std::vector<double>> distance,
+                 const Progress& progress);
 
   DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                       const Progress& progress) override;

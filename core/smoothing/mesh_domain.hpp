@@ -8,7 +8,7 @@
 #include "talweg/core/smoothing/corridor_method.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/paper_method.hpp"
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 
 namespace talweg {
 
@@ -28,10 +28,10 @@ class MeshDomain final : public SmoothingDomain {
   void set_distance(std::vector<double> distance);
 
   DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress) override;
+                      const Progress& progress) override;
   /// The two parts of smooth(): the curves, and their deviation.
   DomainResult curves(const SmoothingOptions& options, const GivenPotential* given,
-                  const Progress& progress);
+                      const Progress& progress);
   void measure(const SmoothingOptions& options, DomainResult& smoothed, const Progress& progress);
 
   void set_pins(std::span<const SurfacePoint> pins, const Progress& progress) override;

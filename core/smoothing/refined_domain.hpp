@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "talweg/core/smoothing/refined_mesh.hpp"
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 
 namespace talweg {
 
@@ -23,7 +23,7 @@ class RefinedDomain final : public SmoothingDomain {
  public:
   /// Divides the faces, and embeds the drawing in the refined part.
   RefinedDomain(const SurfaceMesh& mesh, const OrderedDrawing& drawing, CurveOptions options,
-               const Progress& progress);
+                const Progress& progress);
 
   DomainResult smooth(const SmoothingOptions& options, const GivenPotential* given,
                       const Progress& progress) override;

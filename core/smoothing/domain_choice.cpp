@@ -1,11 +1,11 @@
-#include "talweg/core/smoothing/sheet_choice.hpp"
+#include "talweg/core/smoothing/domain_choice.hpp"
 
 #include <utility>
 
 #include "talweg/core/mesh/smooth_ground.hpp"
-#include "talweg/core/smoothing/ground_sheet.hpp"
-#include "talweg/core/smoothing/refined_sheet.hpp"
-#include "talweg/core/smoothing/undivided_sheet.hpp"
+#include "talweg/core/smoothing/ground_domain.hpp"
+#include "talweg/core/smoothing/refined_domain.hpp"
+#include "talweg/core/smoothing/undivided_domain.hpp"
 
 namespace talweg {
 
@@ -20,9 +20,9 @@ std::unique_ptr<SmoothingDomain> domain_for(SmoothingMemory& memory, const Order
 }
 
 std::unique_ptr<SmoothingDomain> domain_on(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                const CurveOptions& options,
-                                std::optional<std::vector<double>> distance,
-                                const Progress& progress) {
+                                           const CurveOptions& options,
+                                           std::optional<std::vector<double>> distance,
+                                           const Progress& progress) {
   // The paper's method uses the vertices of the mesh only.
   if (options.method == Method::kCorridor &&
       !faces_to_divide(memory.mesh(), drawing, options).empty()) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 
 namespace talweg {
 
@@ -14,10 +14,11 @@ namespace talweg {
 /// (EmbeddedDrawing::Ground), or null. `distance`: a given paper's distance per mesh vertex, used
 /// unchanged. The domain refers to the memory and the drawing. Throws as embed_curves() does, and
 /// Cancelled. Cost: embedding and path_contacts(), plus unrolling and embedding again if needed.
-std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory, const OrderedDrawing& drawing,
-                                           const CurveOptions& options,
-                                           const std::vector<bool>* fence,
-                                           std::optional<std::vector<double>> distance,
-                                           const Progress& progress);
+std::unique_ptr<SmoothingDomain> undivided_domain_for(SmoothingMemory& memory,
+                                                      const OrderedDrawing& drawing,
+                                                      const CurveOptions& options,
+                                                      const std::vector<bool>* fence,
+                                                      std::optional<std::vector<double>> distance,
+                                                      const Progress& progress);
 
 }  // namespace talweg

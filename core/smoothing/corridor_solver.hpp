@@ -11,9 +11,9 @@
 #include "talweg/core/fairing/sample_chain.hpp"
 #include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/lifting/straightening.hpp"
+#include "talweg/core/smoothing/domain_result.hpp"
 #include "talweg/core/smoothing/embedded_drawing.hpp"
 #include "talweg/core/smoothing/fair_group.hpp"
-#include "talweg/core/smoothing/smoothed.hpp"
 #include "talweg/core/smoothing/smoothing_memory.hpp"
 #include "talweg/core/smoothing/smoothing_options.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
@@ -73,11 +73,11 @@ class CorridorSolver {
                                        const Progress& progress);
   /// Whether the curve of a chain is between the walls.
   bool keeps_within_walls(const FairGroup& group, const Taus& taus, const SampleChain& chain,
-              const Progress& progress);
+                          const Progress& progress);
   /// The chain with new samples, if the samples are too uneven for the continuation to another tau;
   /// else empty.
   std::optional<SampleChain> resampled(const FairGroup& group, const Taus& taus,
-                                    const SampleChain& chain, const Progress& progress);
+                                       const SampleChain& chain, const Progress& progress);
   /// A chain, and the tau values of its curves.
   struct AtTaus {
     const Taus& taus;

@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/unrolled_sheet.hpp"
+#include "talweg/core/smoothing/unrolled_domain.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -230,7 +230,7 @@ DomainResult UnrolledDomain::smooth(const SmoothingOptions& options, const Given
 
 /// The result on the strips, without its deviation.
 DomainResult UnrolledDomain::curves_on(const Strips& strips, const SmoothingOptions& options,
-                                  const GivenPotential* given, const Progress& progress) {
+                                       const GivenPotential* given, const Progress& progress) {
   if (given == nullptr) return strips.domain->curves(options, nullptr, progress);
   const std::vector<double> values = copies_of(strips, *given);
   const GivenPotential there{values, given->components};
@@ -302,7 +302,8 @@ std::vector<std::string> UnrolledDomain::lost_pins(const DomainResult& smoothed)
 }
 
 /// Converts results from the strips to the mesh.
-DomainResult UnrolledDomain::folded(const Strips& strips, DomainResult smoothed, const Progress& progress) {
+DomainResult UnrolledDomain::folded(const Strips& strips, DomainResult smoothed,
+                                    const Progress& progress) {
   smoothed = opened(strips, std::move(smoothed));
   std::vector<SurfaceCurve> curves;
   for (CurveResult& curve : smoothed.curves) {

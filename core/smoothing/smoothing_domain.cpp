@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 
 #include <algorithm>
 

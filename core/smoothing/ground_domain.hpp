@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "talweg/core/drawing/drawn_legs.hpp"
-#include "talweg/core/smoothing/sheet.hpp"
+#include "talweg/core/smoothing/smoothing_domain.hpp"
 
 namespace talweg {
 
@@ -32,7 +32,7 @@ class GroundDomain final : public SmoothingDomain {
   SmoothingMemory* memory_;
   const OrderedDrawing* drawing_;
   CurveOptions options_;
-  OrderedDrawing there_;             // the drawing as curves on the ground
+  OrderedDrawing there_;                       // the drawing as curves on the ground
   std::unique_ptr<SmoothingDomain> ground_;    // the domain on the ground
   std::unique_ptr<SmoothingDomain> as_it_is_;  // on the mesh; made on first use
   double solve_ms_ = 0;

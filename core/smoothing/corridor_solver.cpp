@@ -1,4 +1,4 @@
-#include "talweg/core/smoothing/corridor_hold.hpp"
+#include "talweg/core/smoothing/corridor_solver.hpp"
 
 #include <algorithm>
 #include <array>
@@ -104,7 +104,7 @@ Straightened CorridorSolver::straighten_flat(const SmoothingOptions& options,
 /// Whether the lift would change an edge length that the straightening has used. The lengths of
 /// ways along edges from the drawing bound the distances of these edges.
 bool CorridorSolver::is_felt(const Corridor& corridor, const Straightened& flat,
-                           const Progress& progress) const {
+                             const Progress& progress) const {
   const TouchedEdges edges =
       touched_edges(drawing_->surface(), flat.touched, drawing_->drawing().curves(), progress);
   return !(corridor.largest_lengthening(edges.farthest, edges.shortest) <= kUnfelt);
@@ -133,7 +133,7 @@ std::optional<Straightened> CorridorSolver::unlifted(const SmoothingOptions& opt
 
 /// Whether straightening has lost nearly all of an open curve, because its ends are close together.
 bool CorridorSolver::has_lost_all(const SmoothingOptions& options, const Straightened& straight,
-                                std::size_t curve) const {
+                                  std::size_t curve) const {
   constexpr double kLost = 0.25;  // fraction of the drawing's length
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   if (drawing_->erases_loops()) return false;  // the short remainder is intended
@@ -185,7 +185,7 @@ std::vector<FairGroup> CorridorSolver::groups(const SmoothingOptions& options) c
 
 /// The trace of a start curve for fairing.
 CurveTrace CorridorSolver::traced(const SurfaceCurve& curve,
-                                std::span<const SurfacePoint> fixed) const {
+                                  std::span<const SurfacePoint> fixed) const {
   CurveTrace trace = trace_of(drawing_->surface(), curve, fixed);
   trace.set_corners(drawing_->corners());
   return trace;
@@ -355,7 +355,8 @@ std::optional<SurfaceCurve> CorridorSolver::fair(double tau, const SurfaceCurve&
 /// The result in a band too narrow for fairing: the taut curve; but the drawing if it turns less,
 /// or if the taut curve is beyond the walls of a given slack.
 const SurfaceCurve& CorridorSolver::in_narrow_band(double tau, std::size_t curve,
-                                                 const SurfaceCurve& taut, ProgressPoller& poller) {
+                                                   const SurfaceCurve& taut,
+                                                   ProgressPoller& poller) {
   const ScopedPoller scoped(*distance_, poller);
   const SurfaceCurve& drawn = drawing_->drawing().curves()[curve];
   const auto turning = [&](const SurfaceCurve& c) {
