@@ -89,6 +89,14 @@ QPainterPath pin() {
   return path;
 }
 
+/// A curve with another one beside it.
+QPainterPath band() {
+  QPainterPath path(QPointF(2, 10));
+  path.cubicTo(5, 4, 8, 12, 14, 5);
+  path.addPath(polygon({{2, 14}, {5, 11}, {9, 13}, {14, 10}}));
+  return path;
+}
+
 QPainterPath path_of(Sign sign) {
   switch (sign) {
     case Sign::kPencil:
@@ -121,6 +129,8 @@ QPainterPath path_of(Sign sign) {
       return tool();
     case Sign::kPin:
       return pin();
+    case Sign::kOffset:
+      return band();
   }
   return {};
 }

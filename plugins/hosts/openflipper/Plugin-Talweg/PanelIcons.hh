@@ -21,6 +21,7 @@ enum class Sign {
   kInside,
   kTool,
   kPin,
+  kOffset,
 };
 
 QIcon icon_of(Sign sign);

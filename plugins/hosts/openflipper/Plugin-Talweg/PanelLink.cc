@@ -76,6 +76,12 @@ void PanelLink::connect_use() {
       s.split(lids, parts);
     });
   });
+  connect(panel_, &TalwegPanel::offset, this, [this](double distance, const QString& side) {
+    use(sessions_.now(), [&](Session& s) {
+      std::vector<int> lines;
+      s.offset({distance, side}, lines);
+    });
+  });
   connect(panel_, &TalwegPanel::repair, this, [this] {
     if (Session* session = sessions_.now()) session->repair();
   });

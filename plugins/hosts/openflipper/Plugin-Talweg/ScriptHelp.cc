@@ -78,6 +78,10 @@ std::vector<ScriptSlot> ScriptHelp::all() {
        mesh},
       {"split(int,bool)", tr("Makes a mesh of each part that the smoothed curves leave."),
        "meshId;lids", mesh + tr(";whether the parts are closed where they were cut")},
+      {"offset(int,double,QString)",
+       tr("Adds curves at a distance along the surface from the selected one, or from all, and "
+          "returns their ids."),
+       "meshId;distance;side", mesh + tr(";mesh units, above 0;both, left or right")},
       {"drawMode(bool)", tr("Begins or ends drawing with the mouse."), "on", tr("whether")},
 
       {"renameCurve(int,int,QString)", tr("Gives a curve a name."), "meshId;curve;name",

@@ -450,7 +450,7 @@ bool Session::is_hidden(const editing::Point& point, const ACG::Vec3d& eye) cons
 void Session::require_results() const {
   if (editor().is_drawing()) throw editing::Error("First end the curve that is being drawn.");
   if (requests_.smooths()) throw editing::Error("The curves are still being smoothed.");
-  if (results_.curves.empty()) throw editing::Error("There is no smoothed curve to cut along.");
+  if (results_.curves.empty()) throw editing::Error("There is no smoothed curve yet.");
 }
 
 bool Session::cut(bool select_inside) {
@@ -486,6 +486,19 @@ bool Session::split(bool lids, std::vector<int>& parts) {
       parts.push_back(host_.add_mesh(name, std::move(part)));
     }
     host_.say(QString("%1 has %2 parts now; itself it is as it was.").arg(name_).arg(parts.size()));
+  });
+}
+
+bool Session::offset(const Offset& how, std::vector<int>& lines) {
+  return attempt([&] {
+    require_results();
+    std::vector<host::Curve> chosen = results_.curves;
+    if (const auto result = result_of(selected_)) chosen = {results_.curves[*result]};
+    const auto say = [this](const QString& sentence) { host_.say(sentence); };
+    lines =
+        add_lines(host_, name_, mesh(), offset_of(plugins_, arrays(), defects_, chosen, how, say));
+    host_.say(
+        QString("%1 offset curve(s) of %2 at %3.").arg(lines.size()).arg(name_).arg(how.distance));
   });
 }
 

@@ -14,6 +14,7 @@
 #include "DrawnCurves.hh"
 #include "HostMesh.hh"
 #include "Inspection.hh"
+#include "OffsetCurves.hh"
 #include "Requests.hh"
 #include "ResultLines.hh"
 #include "talweg/editing/editor.hpp"
@@ -78,6 +79,8 @@ class Session {
   bool cut(bool select_inside);
   /// Makes a mesh of each part that the results leave.
   bool split(bool lids, std::vector<int>& parts);
+  /// Adds lines at a distance from the selected result, or from all; the drawing stays.
+  bool offset(const Offset& how, std::vector<int>& lines);
   /// Opens the mesh again, repaired. The host's mesh stays as it is, and results have its numbers.
   void repair();
   /// Why nothing can be drawn on the mesh as it is; empty where it can.

@@ -176,12 +176,15 @@ QGroupBox* TalwegPanel::make_result_group() {
   write_result_ = button("WriteResult", Sign::kWrite, tr("Write result"),
                          tr("Writes the smoothed curves: .json, .vtp, .vtk, .obj, .ply, .mrk.json"),
                          &TalwegPanel::write_result);
+  offset_ = new OffsetRow(group);
+  connect(offset_, &OffsetRow::offset, this, &TalwegPanel::offset);
   auto* all = tight(group);
   all->addWidget(table_);
   all->addLayout(row_of({summary_, write_result_}));
   all->addWidget(notes_);
   all->addWidget(look_);
   all->addLayout(row_of({cut_, split_, lids_, inside_}));
+  all->addWidget(offset_);
   return group;
 }
 
@@ -216,6 +219,7 @@ void TalwegPanel::show_state(const PanelState& state) {
     of_results->setEnabled(rests && !state.rows.empty());
   }
   lids_->setEnabled(split_->isEnabled());
+  offset_->show_state(rests && !state.rows.empty(), state.mean_edge);
   undo_->setEnabled(state.can_undo);
   redo_->setEnabled(state.can_redo);
   undo_->setToolTip(tr("Takes the last edit back (Ctrl+Z): %1").arg(state.undo_name));

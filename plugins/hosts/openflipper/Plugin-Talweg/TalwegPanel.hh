@@ -16,6 +16,7 @@
 #include "CurvesBox.hh"
 #include "LookBox.hh"
 #include "NumberRow.hh"
+#include "OffsetRow.hh"
 #include "PanelIcons.hh"
 #include "ResultTable.hh"
 #include "talweg/editing/drawing.hpp"
@@ -71,6 +72,7 @@ class TalwegPanel : public QWidget {
   void write_result();
   void cut();
   void split(bool lids);
+  void offset(double distance, const QString& side);
   void select_inside();
   void cancel();
   void repair();
@@ -103,6 +105,7 @@ class TalwegPanel : public QWidget {
   QToolButton *draw_, *finish_, *close_, *take_back_, *discard_, *undo_, *redo_, *write_result_,
       *cut_, *split_, *inside_, *cancel_, *repair_;
   QCheckBox* lids_;
+  OffsetRow* offset_;
   CurvesBox* curves_;
   NumberRow *tau_, *slack_, *bound_, *clicks_;
   QComboBox* ends_;

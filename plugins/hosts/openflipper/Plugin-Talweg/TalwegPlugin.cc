@@ -307,6 +307,15 @@ IdList TalwegPlugin::split(int meshId, bool lids) {
   return parts;
 }
 
+IdList TalwegPlugin::offset(int meshId, double distance, QString side) {
+  Session* session = done(meshId);
+  IdList lines;
+  if (session == nullptr) return lines;
+  emit scriptInfo(QString("offset(%1, %2, \"%3\")").arg(meshId).arg(distance).arg(side));
+  session->offset({distance, side}, lines);
+  return lines;
+}
+
 // ---- How curves look
 
 bool TalwegPlugin::colourBy(int meshId, QString what) {

@@ -68,6 +68,7 @@ class TalwegPlugin : public talweg::openflipper::HostLink, public ScriptInterfac
   bool cut(int meshId);
   bool selectInside(int meshId);
   IdList split(int meshId, bool lids);
+  IdList offset(int meshId, double distance, QString side);
   void drawMode(bool on);
 
  public:

@@ -213,6 +213,14 @@
 <context>
     <name>ScriptHelp</name>
     <message>
+        <source>Adds curves at a distance along the surface from the selected one, or from all, and returns their ids.</source>
+        <translation>Fügt Kurven in einem Abstand entlang der Fläche von der gewählten oder von allen hinzu und gibt ihre Nummern zurück.</translation>
+    </message>
+    <message>
+        <source>;mesh units, above 0;both, left or right</source>
+        <translation>;Einheiten des Netzes, über 0;both, left oder right</translation>
+    </message>
+    <message>
         <source>id of a triangle mesh</source>
         <translation>Nummer eines Dreiecksnetzes</translation>
     </message>
@@ -778,6 +786,37 @@
     <message>
         <source>Marks where it is largest, and turns the view to it.</source>
         <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
+    </message>
+</context>
+<context>
+    <name>talweg::openflipper::OffsetRow</name>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Makes curves at this distance along the surface from the selected smoothed curve, or from all.</source>
+        <translation>Macht Kurven in diesem Abstand entlang der Fläche von der gewählten geglätteten Kurve oder von allen.</translation>
+    </message>
+    <message>
+        <source>How far, along the surface, in mesh units.</source>
+        <translation>Wie weit, entlang der Fläche, in Einheiten des Netzes.</translation>
+    </message>
+    <message>
+        <source>Both sides</source>
+        <translation>Beide Seiten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Seen along the curve from outside; on one side there are no caps.</source>
+        <translation>Von außen entlang der Kurve gesehen; auf einer Seite gibt es keine Kappen.</translation>
     </message>
 </context>
 <context>
