@@ -167,7 +167,7 @@ const OpenMp& open_mp() {
 
 std::string blas_library() {
   const std::string name = name_of_blas();
-  return name.empty() ? "a BLAS that does not tell its name" : name;
+  return name.empty() ? "an unknown BLAS" : name;
 }
 
 OneBlasThread::OneBlasThread(BlasWork work) {

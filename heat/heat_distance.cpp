@@ -183,7 +183,8 @@ HeatDistance::Impl::CheckedSources HeatDistance::Impl::checked(
     if (v >= vertices || !(weight >= 0) || !std::isfinite(weight)) {
       throw Error(ErrorCode::kBadCurve,
                   "The source at vertex " + std::to_string(v) +
-                      (v >= vertices ? " is not on the mesh." : " has a weight that is not >= 0."));
+                      (v >= vertices ? " is not on the mesh."
+                                     : " has a weight that is negative or not finite."));
     }
     if (!(weight > 0)) continue;
     any = true;

@@ -163,7 +163,8 @@ std::string GltfData::read_uri(const JsonPlace& place) const {
   const std::string name = without_escapes(uri);
   if (!stays_beside(name)) {
     place.fail(
-        fmt::format("'{}' is no file beside this one; only such are opened", printable(name)));
+        fmt::format("'{}' is outside the folder of the file; only files inside it are opened",
+                    printable(name)));
   }
   try {
     return read_file(file_.path.parent_path() / name);

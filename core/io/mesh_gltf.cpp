@@ -144,7 +144,8 @@ class GltfReader {
       waiting.pop_back();
       if (now.node >= nodes.size()) nodes.fail(fmt::format("there is no node {}", now.node));
       const JsonPlace node = nodes.element(now.node);
-      if (!visited_.insert(now.node).second) node.fail("it comes twice in the scene");
+      if (!visited_.insert(now.node).second)
+        node.fail("the node occurs twice in the scene; a node may have one parent");
       const Place place = now.place * place_of(node);
       if (node.has("mesh")) {
         const bool posed = node.has("skin");  // the transform of a skinned node does not apply
@@ -337,7 +338,7 @@ class GltfReader {
       lists_.notes.push_back(
           fmt::format("{} sets of points or lines of the file were left out.", others_));
     }
-    if (skins_) lists_.notes.emplace_back("Meshes with a skeleton were read as they are unposed.");
+    if (skins_) lists_.notes.emplace_back("Skinned meshes were read in their bind pose.");
     if (shapes_) lists_.notes.emplace_back("Morph targets of the file were left out.");
     if (attributes_ == nullptr) return;
     objects_.give(*attributes_);

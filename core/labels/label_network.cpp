@@ -190,7 +190,7 @@ class Network {
     report.termination = Outcome::kConverged;
     report.missed_points = 0;
     report.missed_max = 0;
-    report.warnings = {"A border stays as it was drawn."};
+    report.warnings = {"No smoothed border passed the checks, so the border stays as drawn."};
     report.decisive.clear();
     result_[c] = {drawn, std::move(report), true};
   }
@@ -427,8 +427,7 @@ class Network {
     if (has_ended_early(progress_)) {
       network.total.termination = std::max(network.total.termination, Outcome::kLimit);
       network.total.warnings.emplace_back(
-          "The budget was used up: borders may bend more, and more of them stay as drawn, than "
-          "they had to.");
+          "The budget was used up: some borders bend more than necessary, or stay as drawn.");
     }
     network.borders = std::move(result_);
     for (const std::uint32_t part : regions_.part_of_face) {

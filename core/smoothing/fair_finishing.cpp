@@ -27,8 +27,9 @@ constexpr double kNoBending = 1e-4;
 double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // factor in a spline's tension per try
 constexpr const char* kTooLong =
-    "The curve is so long that more than 100,000 samples would be needed to make it as fair as its "
-    "slack allows; they are taken farther apart.";
+    "A fair curve of this length needs more than 100,000 samples for its slack; fewer are used, so "
+    "it "
+    "may bend more.";
 constexpr const char* kLeftTaut =
     "The curve could not be made fair within its walls; it is left taut, with kinks.";
 constexpr const char* kEndedTaut =

@@ -104,9 +104,9 @@ void MeshDomain::warn_of_upper_bounds(DomainResult& result) const {
   for (const CurveResult& curve : result.curves) slack = std::max(slack, curve.slack);
   if (exact >= slack) return;
   result.warnings.push_back(
-      fmt::format("Exact distances would take far too long here: farther than {:.4g} from the "
-                  "drawing they were taken longer than they are, and the result may be another one "
-                  "than with them.",
+      fmt::format("Distances farther than {:.4g} from the drawing are upper bounds, because exact "
+                  "ones would take too long; the result may differ from the one with exact "
+                  "distances.",
                   exact));
 }
 

@@ -20,9 +20,8 @@ namespace {
 constexpr std::size_t kFewFaces = 200'000;  // of strips: exact distances then take about a second
 
 std::string limited_to(double distance) {
-  return fmt::format(
-      "The drawing meets itself, and the result was looked for no farther than {:.3g} from it.",
-      distance);
+  return fmt::format("The drawing meets itself; only results within {:.3g} of it were considered.",
+                     distance);
 }
 
 }  // namespace

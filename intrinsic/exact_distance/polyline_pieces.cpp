@@ -121,7 +121,7 @@ class Cutter {
       if (length < 0) length = distance_in_face(surface_, a, b);
       pieces_.segments.push_back({face, curve, a.barycentric, b.barycentric, arc, VertexId{}});
     }
-    if (length < 0) bad(curve, index, "leaves the mesh: a point and the next share no face");
+    if (length < 0) bad(curve, index, "leaves the mesh: a point and the next have no common face");
     return length;
   }
 

@@ -380,8 +380,9 @@ void PointInsertion::go_along_edges(VertexId from, VertexId to, FaceId face,
     } while (h != first);
   }
   if (!reached.contains(to)) {
-    throw Error(ErrorCode::kBadCurve,
-                "The pieces of face " + std::to_string(face.index()) + " do not hang together.");
+    throw Error(ErrorCode::kBadCurve, "The curve cannot be inserted in face " +
+                                          std::to_string(face.index()) +
+                                          ": the pieces of the face are not connected.");
   }
   const auto first = static_cast<std::ptrdiff_t>(path.size());
   for (VertexId at = to; at != from; at = t.tail(path.back())) {

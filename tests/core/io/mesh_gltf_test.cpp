@@ -186,7 +186,7 @@ TEST_F(GltfFiles, BuffersBesideTheFile) {
       read_mesh(file(name));
       ADD_FAILURE() << away;
     } catch (const Error& error) {
-      EXPECT_NE(std::string(error.what()).find("no file beside this one"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("outside the folder of the file"), std::string::npos)
           << error.what();
     }
   }
