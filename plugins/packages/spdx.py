@@ -36,7 +36,8 @@ SOURCES = {"suitesparse": ("CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of Suit
                            "LGPL-2.1-or-later AND BSD-3-Clause"),
            "pugixml": ("pugixml", "MIT"),
            "zlib": ("zlib", "Zlib")}
-NPM = {"three": ("three.js", "MIT"), "three-mesh-bvh": ("three-mesh-bvh", "MIT")}
+NPM = {"meshoptimizer": ("meshoptimizer", "MIT"), "three": ("three.js", "MIT"),
+       "three-mesh-bvh": ("three-mesh-bvh", "MIT")}
 
 HEADERS = ["libopenmesh-dev", "libeigen3-dev", "nlohmann-json3-dev"]
 PLUGINS = ["g++-12", *HEADERS, "libfmt-dev", "libpugixml-dev", "libgcc-10-dev", "zlib1g-dev", "suitesparse"]

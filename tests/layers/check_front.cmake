@@ -4,7 +4,8 @@
 # such a contract. cmake -D ROOT=project -P check_front.cmake
 cmake_minimum_required(VERSION 3.25)
 set(algorithms
-  drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/even_points
+  drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs
+  drawing/edge_landmarks drawing/even_points
   drawing/path_contacts drawing/surface_normals
   drawing/taken_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
@@ -16,6 +17,7 @@ set(algorithms
 set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
 # What such a test needs to make the algorithm's input, or to compare with.
 set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
+set(drawing/edge_landmarks_needs core/drawing/edge_dijkstra core/mesh/surface_mesh)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)
 set(drawing/straight_lines_needs core/drawing/snapped_drawing)
 set(fairing/drawn_line_needs core/fairing/drawn_band)

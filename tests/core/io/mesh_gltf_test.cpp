@@ -203,7 +203,7 @@ TEST(GltfMesh, Errors) {
   };
   EXPECT_EQ(refusal_of("a.gltf", gltf(node, good)), "");
   says(gltf(R"({"mesh":1})", good), "meshes: there is no mesh 1");
-  says(gltf(R"({"mesh":0,"children":[0]})", good), "nodes[0]: it comes twice");
+  says(gltf(R"({"mesh":0,"children":[0]})", good), "nodes[0]: the node occurs twice");
   says(gltf(R"({"children":[9]})", good), "there is no node 9");
   says(gltf(R"({"name":"empty"})", good), "no triangles");
   says(gltf(node, primitive(R"(,"indices":7)")), "accessors: there is no accessor 7");

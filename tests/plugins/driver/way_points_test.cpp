@@ -93,8 +93,8 @@ MeshLists roof() {
 
 TEST_F(DriverWayPoints, RidgesMoveDrawingsAndTheirClicks) {
   write_mesh(file("roof.ply"), roof());
-  // The vertices (5, 13), (20, 16) and (35, 14).
-  const std::string through = "draw roof.ply --through 538,676,609 ";
+  // The vertices (5, 13), (20, 16) and (35, 13).
+  const std::string through = "draw roof.ply --through 538,676,568 ";
   succeed(through + "-o as_drawn.json");
   succeed(through + "--ridges 0 -o nothing.json");
   EXPECT_EQ(bytes_of(file("as_drawn.json")), bytes_of(file("nothing.json")));
@@ -113,15 +113,16 @@ TEST_F(DriverWayPoints, RidgesMoveDrawingsAndTheirClicks) {
 
 TEST_F(DriverWayPoints, SmoothReportsWhatRidgesMoved) {
   write_mesh(file("roof.ply"), roof());
-  succeed("draw roof.ply --through 538,676,609 --points rough -o stroke.json");
+  succeed("draw roof.ply --through 538,676,568 --points rough -o stroke.json");
   succeed("smooth roof.ply --curve stroke.json --ridges 1 -o out.json --report report.json");
   const json report = read("report.json");
   EXPECT_EQ(report.at("ridge_strength"), 1);
-  EXPECT_GT(report.at("ridge_moved"), 0.9);
+  EXPECT_GT(report.at("ridge_moved"), 0.75);
   EXPECT_GT(report.at("ridge_moved_max"), 1);
   EXPECT_NE(warnings().dump().find("were moved onto ridges"), std::string::npos);
   for (const json& point : read("out.json").at("curves").at(0).at("points")) {
-    EXPECT_NEAR(point.at("xyz").at(1).get<double>(), 15, 1e-6);
+    const double x = point.at("xyz").at(0), y = point.at("xyz").at(1);
+    EXPECT_NEAR(y, 15, x < 30 ? 0.05 : 1.2) << x;  // docs/ridges.md: ends may lie beside it
   }
   succeed(
       "smooth roof.ply --curve stroke.json --ridges 1 --ridge-kind concave -o out.json "

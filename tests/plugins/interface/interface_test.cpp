@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <new>
 #include <set>
@@ -19,17 +18,12 @@
 namespace talweg {
 namespace {
 
-/// The ids of all plugins of this build, by their files: opening all of them takes two seconds
-/// under a sanitizer, for each test of this program.
+/// The ids of all plugins of this build; TryEveryPluginThatIsFound compares them with the loader's.
+/// Loading the module takes a second under a sanitizer, for each test of this program.
 std::vector<std::string> all_plugins() {
-  const std::string first = "talweg_";
-  std::vector<std::string> ids;
-  for (const auto& file : std::filesystem::directory_iterator(test::plugin_folder())) {
-    const std::string stem = file.path().stem().string();
-    if (stem.rfind(first, 0) == 0) ids.push_back("talweg." + stem.substr(first.size()));
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
+  return {"talweg.bipartition", "talweg.cut",      "talweg.distance", "talweg.draw",
+          "talweg.envelope",    "talweg.geodesic", "talweg.labels",   "talweg.measure",
+          "talweg.midpoints",   "talweg.offset",   "talweg.repair",   "talweg.smooth"};
 }
 
 class Interface : public testing::TestWithParam<std::string> {

@@ -72,7 +72,7 @@ def smooth(mesh: Any, curve: Union[CurveLike, Sequence[Curve]], tau: OneOrEach =
 
 @mesh_first
 def draw(mesh: Any, points: CurveLike, *, closed: bool = False, straight: Optional[bool] = None,
-         exact: bool = True) -> Curve:
+         exact: bool = True, **parameters: Any) -> Curve:
     """A curve through points in their order: straight over the surface, or along edges of the mesh.
 
     The points are its way-points (``Curve.exact``): smooth() is free between them.
@@ -83,10 +83,14 @@ def draw(mesh: Any, points: CurveLike, *, closed: bool = False, straight: Option
     :param straight: straight over the faces, where it may cross itself, or along edges between
         vertices, where it never does. None: straight if the points are way-points.
     :param exact: False: the curve is a stroke, and smooth() keeps near it.
+    :param parameters: ``ridges`` [0, 1], ``ridge_kind`` ("both", "convex", "concave") and
+        ``ridge_band`` (mesh units, > 0): how strongly ridges attract the curve and its points,
+        which ridges, and from how far.
     :raises BadCurve: if there is no way, or it would cross itself.
     """
     return mesh_of(mesh, "talweg.draw").draw(points, closed=closed,
-                                                            straight=straight, exact=exact)
+                                                            straight=straight, exact=exact,
+                                                            **parameters)
 
 
 @mesh_first
