@@ -53,7 +53,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
     ${PROJECT_BINARY_DIR}/intrinsic ${PROJECT_BINARY_DIR}/heat ${PROJECT_BINARY_DIR}/core
     ${PROJECT_BINARY_DIR}/plugins/loader)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
-# Any BLAS will do; this one is fast, and starts no threads (docs/decisions.md).
+# Any BLAS will do; this one is fast, and starts no threads (docs/development/decisions.md).
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libopenblas0-serial | libopenblas0")
 if(NOT TALWEG_IS_SHARED)
   set(CPACK_DEBIAN_DRIVER_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS}")

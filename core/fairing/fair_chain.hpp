@@ -33,9 +33,9 @@ struct FairOptions {
 /// replaces the terms with δ. Where places on the drawing are known, the samples that a step would
 /// lead out of the walls, or into the part of the band that belongs to another strand, are held,
 /// and the step is solved again, up to six times; the last step may lead samples out.
-/// docs/algorithm.md describes the method. Cost of an iteration: samples + the faces that joins and
-/// steps pass, and a DrawnBand::at() for each sample that moves. A run ends after 60 iterations, or
-/// 1,000 such faces for each sample.
+/// docs/development/algorithm.md describes the method. Cost of an iteration: samples + the faces
+/// that joins and steps pass, and a DrawnBand::at() for each sample that moves. A run ends after 60
+/// iterations, or 1,000 such faces for each sample.
 class FairChain {
  public:
   /// The band may be null where every stretch is a leg.

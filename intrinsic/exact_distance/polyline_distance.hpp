@@ -24,7 +24,7 @@ namespace talweg {
 
 /// The length of the shortest path along the surface to the nearest of a set of curves. The
 /// distance is exact (up to rounding) on the polyhedral surface and for the curves' straight
-/// segments. The method, and alternatives that were tried: docs/distance.md.
+/// segments. The method, and alternatives that were tried: docs/development/distance.md.
 ///
 /// Windows (see EdgeWindow) spread from the curve in the order of their distance (WindowFront); a
 /// query lets them spread until its answer is final. Answers do not depend on which queries were

@@ -18,7 +18,7 @@ std::vector<std::string> random_seeds(const Target& /*target*/) {
   return seeds;
 }
 
-// The medians are from docs/fuzzing.md.
+// The medians are from docs/development/fuzzing.md.
 const std::vector<Target>& targets() {
   static const std::vector<Target> kTargets = {
       {"mesh_obj", read_mesh_bytes, mesh_seeds, "m.obj", 12.4},

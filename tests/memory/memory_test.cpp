@@ -1,4 +1,4 @@
-// Memory as a function of faces and points (docs/cost.md): counted, not estimated.
+// Memory as a function of faces and points (docs/development/cost.md): counted, not estimated.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,7 +60,7 @@ struct Stages {
   }
 };
 
-// The bounds of docs/cost.md, in bytes.
+// The bounds of docs/development/cost.md, in bytes.
 constexpr double kOpenPerFace = 80, kOpeningPerFace = 110;  // kept, and while it is opened
 constexpr double kCurvePerFace = 220;                       // of the first curve and its result
 constexpr double kPerPoint = 8192;                          // of the drawing

@@ -1,5 +1,6 @@
 // Distances against CGAL's exact distances: Talweg's exact distance agrees to rounding; the error
-// of the heat method is bounded and decreases under refinement. The figures are in docs/testing.md.
+// of the heat method is bounded and decreases under refinement. The figures are in
+// docs/development/testing.md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

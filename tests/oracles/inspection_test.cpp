@@ -1,6 +1,6 @@
 // Inspection and repair against CGAL's Polygon_mesh_processing, on meshes with planted defects and
 // on real meshes. If the two programs define a defect differently, only the common case is compared
-// (docs/testing.md).
+// (docs/development/testing.md).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
