@@ -20,7 +20,7 @@
 #include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/repair/weld_hint.hpp"
+#include "talweg/core/strokes/border_ends.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "written_points.hpp"
 
@@ -37,6 +37,7 @@ struct Options {
   std::string repair;
   std::string mesh_units;
   std::string points = "exact";
+  std::string border = "leave";
   WrittenPoints written;
 };
 
@@ -46,6 +47,7 @@ struct Clicks {
   bool closed = false;
   std::vector<std::string> told;  ///< sentences on how they were read
   bool far = false;               ///< whether the first of these is a warning
+  std::vector<std::string> led;   ///< sentences on ends that were led to the border
 };
 
 /// The way-points, in the numbers of the mesh.
@@ -93,19 +95,50 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   return clicks;
 }
 
-ReadyCurve drawn(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
-                 const CoordinateFrame& frame, const Progress& progress) {
+bool is_along_edges(const Options& options) {
+  const auto holds_vertices = [](const std::string& output) { return output.ends_with(".txt"); };
+  return options.edges || std::ranges::any_of(options.outputs, holds_vertices);
+}
+
+void check_border(const Options& options) {
+  if (border_ends(options.border) == BorderEnds::kLeave || !is_along_edges(options)) return;
+  throw Error(ErrorCode::kBadUsage,
+              "--border snap leads ends to points between vertices, which neither --edges nor a "
+              ".txt file can reach; leave it out, or write another format.");
+}
+
+SurfaceCurve path_through(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
+                          const Progress& progress) {
   DrawOptions own;
   own.closed = clicks.closed;
   if (options.points == "rough") own.tolerance.reset();
-  const bool of_vertices =
-      std::any_of(options.outputs.begin(), options.outputs.end(),
-                  [](const std::string& output) { return output.ends_with(".txt"); });
-  if (options.straight || options.edges || of_vertices) own.straight = options.straight;
-  const Drawing drawing = draw(mesh.surface(), clicks.points, own, progress);
-  ReadyCurve made = ready(mesh, drawing.curve, 0, options.written, frame);
+  if (options.straight || is_along_edges(options)) own.straight = options.straight;
+  return draw(mesh.surface(), clicks.points, own, progress).curve;
+}
+
+/// Another click on the border beyond each end of the path that stops a little before it. Returns
+/// whether there is one.
+bool lead_to_border(const SurfaceMesh& mesh, const SurfaceCurve& path, Clicks& clicks) {
+  SnappedDrawing drawing;
+  drawing.curves.push_back(path);
+  StraightLines lines(mesh.surface());
+  drawing = with_ends_at_border(mesh, std::move(drawing), lines);
+  const std::vector<SurfacePoint>& led = drawing.curves.front().points;
+  if (led.front() != path.points.front()) clicks.points.insert(clicks.points.begin(), led.front());
+  if (led.back() != path.points.back()) clicks.points.push_back(led.back());
+  clicks.led = std::move(drawing.told);
+  return !clicks.led.empty();
+}
+
+ReadyCurve drawn(const SurfaceMesh& mesh, Clicks& clicks, const Options& options,
+                 const CoordinateFrame& frame, const Progress& progress) {
+  SurfaceCurve path = path_through(mesh, clicks, options, progress);
+  if (border_ends(options.border) == BorderEnds::kSnap && lead_to_border(mesh, path, clicks)) {
+    path = path_through(mesh, clicks, options, progress);
+  }
+  ReadyCurve made = ready(mesh, path, 0, options.written, frame);
   if (options.points == "exact" && !made.spacing) {
-    made.curve.exact = marks_through(drawing.curve, clicks.points);
+    made.curve.exact = marks_through(path, clicks.points);
   }
   return made;
 }
@@ -136,6 +169,7 @@ void tell_strokes(const Options& options) {
 int run(const Options& options, const GlobalOptions& global) {
   check_unit(options.mesh_units);
   check_points(options.written);
+  check_border(options);
   if (options.through.empty() && options.clicks.empty()) {
     throw Error(ErrorCode::kBadUsage, "--through is required, or --clicks.");
   }
@@ -148,15 +182,16 @@ int run(const Options& options, const GlobalOptions& global) {
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
   const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   std::vector<PlacedCurve> curves;
-  std::string spacing;
+  std::vector<std::string> told;
   try {
     const Progress progress = progress_bar(global.quiet);
-    const Clicks clicks = options.clicks.empty()
-                              ? given_vertices(mesh, read.map.get(), options)
-                              : clicks_of_file(mesh, read.map.get(), options, frame, progress);
+    Clicks clicks = options.clicks.empty()
+                        ? given_vertices(mesh, read.map.get(), options)
+                        : clicks_of_file(mesh, read.map.get(), options, frame, progress);
     tell_clicks(clicks, global.quiet);
     ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
-    if (made.spacing) spacing = spacing_text(made);
+    told = std::move(clicks.led);
+    if (made.spacing) told.push_back(spacing_text(made));
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, read.lists);
@@ -165,11 +200,10 @@ int run(const Options& options, const GlobalOptions& global) {
   for (const std::string& output : options.outputs) {
     write_output(output, curve_bytes(output, curves, frame));
   }
-  if (!global.quiet) tell_strokes(options);
-  if (!global.quiet && !spacing.empty()) std::fprintf(text_stream(), "%s\n", spacing.c_str());
-  for (const std::string& change : read.changes) {
-    if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
-  }
+  if (global.quiet) return kDone;
+  tell_strokes(options);
+  told.insert(told.end(), read.changes.begin(), read.changes.end());
+  for (const std::string& sentence : told) std::fprintf(text_stream(), "%s\n", sentence.c_str());
   return kDone;
 }
 
@@ -205,6 +239,12 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
                    "exact: the vertices are way-points, which a result passes; rough: the whole "
                    "path is a stroke, as of a trembling hand")
       ->check(CLI::IsMember({"exact", "rough"}))
+      ->capture_default_str();
+  command
+      ->add_option("--border", options->border,
+                   "snap: an end that stops within two edges of the mesh's border is led straight "
+                   "to it, to another way-point; leave: it stays")
+      ->check(CLI::IsMember({"snap", "leave"}))
       ->capture_default_str();
   command
       ->add_option("-o,--output", options->outputs,
