@@ -188,8 +188,8 @@ int run(const Options& options, const GlobalOptions& global) {
     Clicks clicks = options.clicks.empty()
                         ? given_vertices(mesh, read.map.get(), options)
                         : clicks_of_file(mesh, read.map.get(), options, frame, progress);
-    tell_clicks(clicks, global.quiet);
     ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
+    tell_clicks(clicks, global.quiet);
     told = std::move(clicks.led);
     if (made.spacing) told.push_back(spacing_text(made));
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
