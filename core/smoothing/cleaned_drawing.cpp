@@ -235,8 +235,11 @@ bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
   const auto same_way = [](const WayPoint& one, const WayPoint& other) {
     return one.point == other.point && one.tolerance == other.tolerance;
   };
-  return a.painted == b.painted && std::ranges::equal(a.curves, b.curves, same_curve) &&
-         std::ranges::equal(a.way_points, b.way_points, same_way);
+  const auto same = [](const auto& one, const auto& other, const auto& is_alike) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), is_alike);
+  };
+  return a.painted == b.painted && same(a.curves, b.curves, same_curve) &&
+         same(a.way_points, b.way_points, same_way);
 }
 
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,

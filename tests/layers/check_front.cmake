@@ -5,7 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 set(algorithms
   drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs drawing/even_points
-  drawing/path_contacts drawing/surface_normals
+  drawing/edge_landmarks drawing/path_contacts drawing/surface_normals
   drawing/taken_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
   fairing/near_points fairing/saddle_passing
