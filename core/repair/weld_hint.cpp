@@ -17,13 +17,14 @@ std::string boundary_of(const MeshInspection& m) {
 
 }  // namespace
 
-std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded) {
+std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded,
+                          std::string_view option) {
   const bool one = welded.vertices == 1;
   const std::string where =
       welded.tolerance > 0 ? fmt::format("within {:.2g} of", welded.tolerance) : "at the place of";
   std::string text =
-      fmt::format("{} {} {} {}: with repair={} the mesh has {}", welded.vertices,
-                  one ? "vertex lies" : "vertices lie", where, one ? "another" : "others",
+      fmt::format("{} {} {} {}: with {}{} the mesh has {}", welded.vertices,
+                  one ? "vertex lies" : "vertices lie", where, one ? "another" : "others", option,
                   welded.steps, counted(welded.after.components, "part"));
   if (welded.after.components != before.components) {
     text += fmt::format(" instead of {}", before.components);
@@ -35,13 +36,13 @@ std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded
   return text + ".";
 }
 
-std::string weld_hint(const MeshLists& mesh) {
+std::string weld_hint(const MeshLists& mesh, std::string_view option) {
   const MeshInspection before = inspect(mesh);
   const auto welded = try_weld(mesh, before);
-  return welded ? fmt::format(" {}", weld_sentence(before, *welded)) : std::string();
+  return welded ? fmt::format(" {}", weld_sentence(before, *welded, option)) : std::string();
 }
 
-std::string weld_hint(const SurfaceMesh& mesh) {
+std::string weld_hint(const SurfaceMesh& mesh, std::string_view option) {
   MeshLists lists;
   lists.points.assign(mesh.points().begin(), mesh.points().end());
   for (std::size_t f = 0; f < mesh.surface().face_count(); ++f) {
@@ -49,12 +50,7 @@ std::string weld_hint(const SurfaceMesh& mesh) {
     Triangle& t = lists.triangles.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) t[k] = static_cast<std::uint32_t>(corners[k].index());
   }
-  return weld_hint(lists);
-}
-
-void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
-  if (error.code() != ErrorCode::kBadCurve) throw Error(error);
-  throw Error(error.code(), error.what() + weld_hint(mesh));
+  return weld_hint(lists, option);
 }
 
 }  // namespace talweg

@@ -237,11 +237,11 @@ bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
   const auto same_way = [](const WayPoint& one, const WayPoint& other) {
     return one.point == other.point && one.tolerance == other.tolerance;
   };
-  return a.painted == b.painted &&
-         std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
-                    same_curve) &&
-         std::equal(a.way_points.begin(), a.way_points.end(), b.way_points.begin(),
-                    b.way_points.end(), same_way);
+  const auto same = [](const auto& one, const auto& other, const auto& is_alike) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), is_alike);
+  };
+  return a.painted == b.painted && same(a.curves, b.curves, same_curve) &&
+         same(a.way_points, b.way_points, same_way);
 }
 
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,

@@ -13,8 +13,10 @@
 #include "cut_map.hpp"
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
+#include "methods/curve_choices.hpp"
 #include "output_file.hpp"
 #include "plugin_meshes.hpp"
+#include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/cutting/cut_report.hpp"
@@ -310,12 +312,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
       ->add_option("--merge", o->merge,
                    "Points within this part of an edge of a vertex, an edge or each other are one")
       ->capture_default_str();
-  command
-      ->add_option("--ends", o->ends,
-                   "auto: a stroke whose end stops a little short of its beginning, or runs over "
-                   "it, is a loop; closed: every curve is; open: none that does not say it")
-      ->check(CLI::IsMember({"auto", "closed", "open"}))
-      ->capture_default_str();
+  add_choice(*command, plugins::ends_choice(), o->ends);
   command->add_flag_callback(
       "--closed", [o] { o->ends = "closed"; }, "The same as --ends closed");
   command

@@ -22,8 +22,8 @@
 #include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
-#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/core/ridges/ridge_snapping.hpp"
+#include "talweg/core/strokes/border_ends.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "written_points.hpp"
 
@@ -40,6 +40,7 @@ struct Options {
   std::string repair;
   std::string mesh_units;
   std::string points = "exact";
+  std::string border = "leave";
   WrittenPoints written;
   RidgeChoice ridges;
 };
@@ -50,6 +51,7 @@ struct Clicks {
   bool closed = false;
   std::vector<std::string> told;  ///< sentences on how they were read
   bool far = false;               ///< whether the first of these is a warning
+  std::vector<std::string> led;   ///< sentences on ends that were led to the border
 };
 
 /// The way-points, in the numbers of the mesh.
@@ -97,29 +99,62 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   return clicks;
 }
 
-/// Moves a drawing and its way-points onto ridges; returns the sentence on that.
-std::string snap_to_ridges(const SurfaceMesh& mesh, const RidgeChoice& choice, Drawing& drawing,
-                           std::vector<double>& marks, const Progress& progress) {
-  if (choice.strength == 0) return {};
+bool is_along_edges(const Options& options) {
+  const auto holds_vertices = [](const std::string& output) { return output.ends_with(".txt"); };
+  return options.edges || std::ranges::any_of(options.outputs, holds_vertices);
+}
+
+void check_border(const Options& options) {
+  if (border_ends(options.border) == BorderEnds::kLeave || !is_along_edges(options)) return;
+  throw Error(ErrorCode::kBadUsage,
+              "--border snap leads ends to points between vertices, which neither --edges nor a "
+              ".txt file can reach; leave it out, or write another format.");
+}
+
+Drawing path_through(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
+                     const Progress& progress) {
+  DrawOptions own;
+  own.closed = clicks.closed;
+  if (options.points == "rough") own.tolerance.reset();
+  if (options.straight || is_along_edges(options)) own.straight = options.straight;
+  return draw(mesh.surface(), clicks.points, own, progress);
+}
+
+/// Another click on the border beyond each end of the path that stops a little before it. Returns
+/// whether there is one.
+bool lead_to_border(const SurfaceMesh& mesh, const SurfaceCurve& path, Clicks& clicks) {
+  SnappedDrawing drawing;
+  drawing.curves.push_back(path);
+  StraightLines lines(mesh.surface());
+  drawing = with_ends_at_border(mesh, std::move(drawing), lines);
+  const std::vector<SurfacePoint>& led = drawing.curves.front().points;
+  if (led.front() != path.points.front()) clicks.points.insert(clicks.points.begin(), led.front());
+  if (led.back() != path.points.back()) clicks.points.push_back(led.back());
+  clicks.led = std::move(drawing.told);
+  return !clicks.led.empty();
+}
+
+/// Moves a drawing and its way-points onto ridges, with a sentence on that. `marks` are the marks
+/// of its points.
+void move_to_ridges(const SurfaceMesh& mesh, const RidgeChoice& choice, Drawing& drawing,
+                    std::vector<double>& marks, Clicks& clicks, const Progress& progress) {
+  if (choice.strength == 0) return;
   RidgedDrawing ridged = snapped_to_ridges(mesh, std::span(&drawing.curve, 1), {},
                                            {drawing.way_points, {}}, choice.options(), progress);
   drawing.curve = std::move(ridged.curves.front());
   if (!drawing.way_points.empty()) marks = marks_of_points(drawing.curve, ridged.points);
-  return ridged.moves.front().sentence(0);
+  clicks.led.push_back(ridged.moves.front().sentence(0));
 }
 
-ReadyCurve drawn(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
-                 const CoordinateFrame& frame, const Progress& progress, std::string& told) {
-  DrawOptions own;
-  own.closed = clicks.closed;
-  if (options.points == "rough") own.tolerance.reset();
-  const bool of_vertices =
-      std::any_of(options.outputs.begin(), options.outputs.end(),
-                  [](const std::string& output) { return output.ends_with(".txt"); });
-  if (options.straight || options.edges || of_vertices) own.straight = options.straight;
-  Drawing drawing = draw(mesh.surface(), clicks.points, own, progress);
+ReadyCurve drawn(const SurfaceMesh& mesh, Clicks& clicks, const Options& options,
+                 const CoordinateFrame& frame, const Progress& progress) {
+  Drawing drawing = path_through(mesh, clicks, options, progress);
+  if (border_ends(options.border) == BorderEnds::kSnap &&
+      lead_to_border(mesh, drawing.curve, clicks)) {
+    drawing = path_through(mesh, clicks, options, progress);
+  }
   std::vector<double> marks = marks_through(drawing.curve, clicks.points);
-  told = snap_to_ridges(mesh, options.ridges, drawing, marks, progress);
+  move_to_ridges(mesh, options.ridges, drawing, marks, clicks, progress);
   ReadyCurve made = ready(mesh, drawing.curve, 0, options.written, frame);
   if (options.points == "exact" && !made.spacing) {
     made.curve.exact = std::move(marks);
@@ -153,6 +188,7 @@ void tell_strokes(const Options& options) {
 int run(const Options& options, const GlobalOptions& global) {
   check_unit(options.mesh_units);
   check_points(options.written);
+  check_border(options);
   if (options.through.empty() && options.clicks.empty()) {
     throw Error(ErrorCode::kBadUsage, "--through is required, or --clicks.");
   }
@@ -165,15 +201,16 @@ int run(const Options& options, const GlobalOptions& global) {
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
   const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   std::vector<PlacedCurve> curves;
-  std::string spacing, ridges;
+  std::vector<std::string> told;
   try {
     const Progress progress = progress_bar(global.quiet);
-    const Clicks clicks = options.clicks.empty()
-                              ? given_vertices(mesh, read.map.get(), options)
-                              : clicks_of_file(mesh, read.map.get(), options, frame, progress);
+    Clicks clicks = options.clicks.empty()
+                        ? given_vertices(mesh, read.map.get(), options)
+                        : clicks_of_file(mesh, read.map.get(), options, frame, progress);
+    ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
     tell_clicks(clicks, global.quiet);
-    ReadyCurve made = drawn(mesh, clicks, options, frame, progress, ridges);
-    if (made.spacing) spacing = spacing_text(made);
+    told = std::move(clicks.led);
+    if (made.spacing) told.push_back(spacing_text(made));
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, read.lists);
@@ -182,12 +219,10 @@ int run(const Options& options, const GlobalOptions& global) {
   for (const std::string& output : options.outputs) {
     write_output(output, curve_bytes(output, curves, frame));
   }
-  if (!global.quiet && !ridges.empty()) std::fprintf(text_stream(), "%s\n", ridges.c_str());
-  if (!global.quiet) tell_strokes(options);
-  if (!global.quiet && !spacing.empty()) std::fprintf(text_stream(), "%s\n", spacing.c_str());
-  for (const std::string& change : read.changes) {
-    if (!global.quiet) std::fprintf(text_stream(), "%s\n", change.c_str());
-  }
+  if (global.quiet) return kDone;
+  tell_strokes(options);
+  told.insert(told.end(), read.changes.begin(), read.changes.end());
+  for (const std::string& sentence : told) std::fprintf(text_stream(), "%s\n", sentence.c_str());
   return kDone;
 }
 
@@ -223,6 +258,12 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
                    "exact: the vertices are way-points, which a result passes; rough: the whole "
                    "path is a stroke, as of a trembling hand")
       ->check(CLI::IsMember({"exact", "rough"}))
+      ->capture_default_str();
+  command
+      ->add_option("--border", options->border,
+                   "snap: an end that stops within two edges of the mesh's border is led straight "
+                   "to it, to another way-point; leave: it stays")
+      ->check(CLI::IsMember({"snap", "leave"}))
       ->capture_default_str();
   command
       ->add_option("-o,--output", options->outputs,

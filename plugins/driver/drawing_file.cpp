@@ -27,7 +27,7 @@ SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const Coo
       add(inputs, drawing, progress);
     } catch (const Error& error) {
       if (error.code() != ErrorCode::kBadCurve) throw;
-      if (!weld_hint_) weld_hint_ = weld_hint(*mesh_);
+      if (!weld_hint_) weld_hint_ = weld_hint(*mesh_, kRepairOption);
       throw Error(error.code(), error.what() + *weld_hint_);
     }
   }

@@ -156,7 +156,7 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
   }
   const std::string steps = m.steps.empty() ? "" : fmt::format(" (--repair={})", m.steps);
-  const std::string weld = welded ? " But " + weld_sentence(m, *welded) : "";
+  const std::string weld = welded ? " But " + weld_sentence(m, *welded, kRepairOption) : "";
   text += fmt::format("\nVerdict: {}{}. {}{}\n", verdict_words(m.verdict), steps, m.reason, weld);
   return repair ? text + repair_text(*repair) : text;
 }

@@ -236,7 +236,8 @@ int run_labels(const LabelsOptions& o, const GlobalOptions& global) {
     network = smooth_labels(mesh, file.labels, options, progress_bar(global.quiet));
   } catch (const Error& error) {
     if (error.code() != ErrorCode::kBadCurve) throw;
-    throw Error(ErrorCode::kBadFile, o.labels + ": " + error.what() + weld_hint(mesh->mesh()));
+    throw Error(ErrorCode::kBadFile,
+                o.labels + ": " + error.what() + weld_hint(mesh->mesh(), kRepairOption));
   }
   const double ms = watch.ms();
   clear_progress_bar();

@@ -10,7 +10,9 @@
 #include "commands.hpp"
 #include "drawing_file.hpp"
 #include "file_plan.hpp"
+#include "methods/curve_choices.hpp"
 #include "output_file.hpp"
+#include "plugin_options.hpp"
 #include "progress_bar.hpp"
 #include "repaired_mesh.hpp"
 #include "talweg/core/io/curve_file.hpp"
@@ -136,12 +138,7 @@ void add_offset_options(CLI::App& command, const std::shared_ptr<OffsetCommandOp
   command.add_option("--tolerance", o->offset.tolerance,
                      "How far the distance may be off between two points, mesh units (default: a "
                      "thousandth of it, and at most a fiftieth of the mean edge)");
-  command
-      .add_option("--ends", o->ends,
-                  "auto: a stroke whose end stops a little short of its beginning, or runs over "
-                  "it, is a loop; closed: every curve is; open: none that does not say it")
-      ->check(CLI::IsMember({"auto", "closed", "open"}))
-      ->capture_default_str();
+  add_choice(command, plugins::ends_choice(), o->ends);
   command.add_flag_callback(
       "--closed", [o] { o->ends = "closed"; }, "The same as --ends closed");
 }

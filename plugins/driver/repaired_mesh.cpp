@@ -7,6 +7,7 @@
 #include "talweg/core/cutting/attribute_transfer.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -86,6 +87,11 @@ ReadMesh read_and_repair(const std::string& path, const std::string& list,
         "{} vertices were welded onto others with other attributes, which stay.", differing));
   }
   return mesh;
+}
+
+void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh) {
+  if (error.code() != ErrorCode::kBadCurve) throw Error(error);
+  throw Error(error.code(), error.what() + weld_hint(mesh, kRepairOption));
 }
 
 PlacedCurve in_file_numbers(const RepairMap* map, PlacedCurve curve) {

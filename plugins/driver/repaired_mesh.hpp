@@ -9,6 +9,7 @@
 
 #include "talweg/core/mesh/mesh_attributes.hpp"
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 
@@ -39,6 +40,12 @@ ReadMesh read_and_repair(const std::string& path, const std::string& list);
 /// says how many vertices lost theirs by welding.
 ReadMesh read_and_repair(const std::string& path, const std::string& list,
                          MeshAttributes& attributes);
+
+/// The option with which weld_hint() tells what welding would give.
+inline constexpr const char* kRepairOption = "--repair=";
+
+/// Rethrows the error, with the hint if a curve was rejected.
+[[noreturn]] void rethrow_with_weld_hint(const Error& error, const MeshLists& mesh);
 
 /// Only checks the list of steps.
 void check_repair(const std::string& list);

@@ -29,7 +29,6 @@
 #include "talweg/core/io/mesh_file.hpp"
 #include "talweg/core/io/mesh_reader.hpp"
 #include "talweg/core/io/mesh_writer.hpp"
-#include "talweg/core/repair/weld_hint.hpp"
 #include "talweg/core/version.hpp"
 
 namespace talweg::driver {

@@ -71,7 +71,7 @@ struct RunRecord {
   std::optional<Failure> failure;
   std::vector<CurveFailure> failed_curves;
   SummaryRun summary;
-  std::string moved;  ///< a sentence if the drawing was moved far
+  std::vector<std::string> decisive;  ///< ": ..." or ", curve 2: ...": see decisive_of()
 
   [[nodiscard]] int code() const {
     if (cancelled) return kCancelled;
@@ -107,6 +107,26 @@ std::vector<SummaryRow> rows_of(const RunOutcome& outcome) {
   }
   add_failed(std::string::npos);
   return rows;
+}
+
+/// Sentences by which results of the run may be of no use, with the curves that they are about
+/// where it is not all of them.
+std::vector<std::string> decisive_of(const RunOutcome& outcome) {
+  const std::vector<SmoothingReport>& reports = outcome.result.reports;
+  std::vector<std::string> lines;
+  for (std::size_t c = 0; c < reports.size(); ++c) {
+    for (const Decisive& one : reports[c].decisive) {
+      const auto has = [&](const SmoothingReport& report) {
+        const auto is_same = [&](const Decisive& d) { return d.sentence == one.sentence; };
+        return std::ranges::any_of(report.decisive, is_same);
+      };
+      const bool of_all = std::ranges::all_of(reports, has);
+      if (of_all && c > 0) continue;
+      const std::string curve = of_all ? "" : fmt::format(", curve {}", outcome.numbers[c]);
+      lines.push_back(fmt::format("{}: {}", curve, one.sentence));
+    }
+  }
+  return lines;
 }
 
 bool any_output_exists(const SmoothOptions& options) {
@@ -204,7 +224,7 @@ class ManyRuns {
       for (const std::string& output : options.outputs) make_folder_of(output);
       make_folder_of(options.report);
       write_run(options, outcome);
-      if (outcome.moved.far) record.moved = outcome.moved.moved;
+      record.decisive = decisive_of(outcome);
       record.summary.rows = rows_of(outcome);
       record.failed_curves = std::move(outcome.failures);
       if (!options_.summary.empty()) record.summary.outputs = outputs_stamp(options);
@@ -246,19 +266,21 @@ std::string place_of(const ListedRun& run, const ManyOptions& options) {
                       : run.options.mesh;
 }
 
-/// Reports drawings that were moved far on stderr, before everything else, up to a limit.
-void tell_moved(const ManyRuns& many, const ManyOptions& options) {
-  std::size_t told = 0, moved = 0;
+/// Tells on stderr, before everything else, by which sentences results may be of no use, up to a
+/// limit. Runs that are kept from an earlier program were told by that one.
+void tell_decisive(const ManyRuns& many, const ManyOptions& options) {
+  std::size_t lines = 0;
   for (std::size_t i = 0; i < many.runs().size(); ++i) {
-    const std::string& sentence = many.records()[i].moved;
-    if (sentence.empty() || ++moved > kFailuresShown) continue;
-    ++told;
-    std::fprintf(stderr, "talweg: warning: %s: %s\n", place_of(many.runs()[i], options).c_str(),
-                 sentence.c_str());
+    for (const std::string& sentence : many.records()[i].decisive) {
+      if (++lines > kFailuresShown) continue;
+      std::fprintf(stderr, "talweg: warning: %s%s\n", place_of(many.runs()[i], options).c_str(),
+                   sentence.c_str());
+    }
   }
-  if (moved > told) {
-    std::fprintf(stderr, "talweg: warning: %zu more drawings lie far from their meshes.\n",
-                 moved - told);
+  if (lines > kFailuresShown) {
+    std::fprintf(stderr, "talweg: warning: %zu more such sentences%s%s.\n", lines - kFailuresShown,
+                 options.summary.empty() ? "; --summary lists all" : " are in ",
+                 options.summary.c_str());
   }
 }
 
@@ -334,7 +356,7 @@ int smooth_many(std::vector<ListedRun> runs, const ManyOptions& options,
   ManyRuns many(std::move(runs), options, global);
   many.go();
   clear_progress_bar();
-  if (!global.quiet) tell_moved(many, options);
+  if (!global.quiet) tell_decisive(many, options);
   if (!options.summary.empty()) write_output(options.summary, summary_of(many));
   if (many.journal()) many.journal()->close();
   const std::size_t failed = tell_failures(many, options);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/curve_choices.hpp"
 #include "methods/given_plan.hpp"
 #include "methods/made_meshes.hpp"
 #include "methods/plugins.hpp"
@@ -19,12 +20,8 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr const char* kEnds[] = {"auto", "closed", "open"};
-constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
 constexpr const char* kBorders[] = {"snap", "leave"};
 constexpr const char* kBorderLabels[] = {"Led to the border", "As they are"};
-constexpr const char* kSides[] = {"both", "left", "right"};
-constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
 constexpr const char* kCapLabels[] = {"None", "Plane where the rim is, else of least area", "Plane",
                                       "Of least area"};
@@ -59,15 +56,12 @@ class Cut : public MakesMeshes<Workspace> {
         {boolean("open", "Open the seam", false, "Either side of a curve has vertices of its own."),
          boolean("split", "A mesh for each piece", false,
                  "Without it the pieces are components of one mesh."),
-         choice("keep", "Keep", "both", kSides, kSideLabels,
-                "Only pieces on that side of every curve along them, seen along the curve from "
-                "outside."),
+         side_choice("keep", "Keep",
+                     "Only pieces on that side of every curve along them, seen along the curve "
+                     "from outside."),
          choice("cap", "Lids", "none", kCaps, kCapLabels,
                 "Close what the cut leaves open, never through the piece."),
-         choice("ends", "Ends", "auto", kEnds, kEndLabels,
-                "auto: a stroke whose end stops a little short of its beginning, or runs over it, "
-                "is a loop; closed: every curve is; open: none that does not say it.",
-                TALWEG_STAGE_RUN),
+         ends_choice(),
          choice("border", "Ends near the border", "snap", kBorders, kBorderLabels,
                 "snap: where a seam is opened, ends of open curves within two edges of the mesh's "
                 "border are led straight to it; leave: they stay.",

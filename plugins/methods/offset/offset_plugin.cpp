@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "methods/curve_choices.hpp"
 #include "methods/plugins.hpp"
 #include "methods/results.hpp"
 #include "methods/workspace.hpp"
@@ -11,10 +12,6 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr const char* kEnds[] = {"auto", "closed", "open"};
-constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
-constexpr const char* kSides[] = {"both", "left", "right"};
-constexpr const char* kSideLabels[] = {"Both sides", "Left of the curves", "Right of the curves"};
 constexpr const char* kCaps[] = {"round", "none"};
 constexpr const char* kCapLabels[] = {"Around the ends", "Cut off at the ends"};
 
@@ -49,14 +46,11 @@ class Offset : public Workspace {
                 TALWEG_OPEN_MINIMUM),
          plugin::integer("count", "Number of distances", 1, {1, 10000, 1, 10},
                          "Also at twice the distance, three times, and so on."),
-         choice("side", "Side", "both", kSides, kSideLabels,
-                "Seen along the curve from outside; on one side there are no caps."),
+         side_choice("side", "Side",
+                     "Seen along the curve from outside; on one side there are no caps."),
          choice("caps", "Caps", "round", kCaps, kCapLabels,
                 "round: around the ends of an open curve; none: cut off there."),
-         choice("ends", "Ends", "auto", kEnds, kEndLabels,
-                "auto: a stroke whose end stops a little short of its beginning, or runs over it, "
-                "is a loop; closed: every curve is; open: none that does not say it.",
-                TALWEG_STAGE_RUN),
+         ends_choice(),
          number("tolerance", "Tolerance", "mesh units", 0, {0, HUGE_VAL, 0, 1},
                 "How far the distance may be off between two points. By default a thousandth of "
                 "it, and at most a fiftieth of the mean edge.",

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "methods/budget_choice.hpp"
+#include "methods/curve_choices.hpp"
 #include "methods/deviation_choice.hpp"
 #include "methods/ridge_choice.hpp"
 #include "talweg/core/smoothing/max_deviation.hpp"
@@ -31,8 +32,6 @@ constexpr const char* kEngineLabels[] = {"Automatic", "Distance over the whole m
 constexpr const char* kPoints[] = {"given", "exact", "rough"};
 constexpr const char* kPointLabels[] = {"As the drawing says", "Exact: way-points",
                                         "Rough: a stroke"};
-constexpr const char* kEnds[] = {"auto", "closed", "open"};
-constexpr const char* kEndLabels[] = {"Loops where they meet", "All are loops", "Open"};
 constexpr const char* kBorders[] = {"leave", "snap"};
 constexpr const char* kBorderLabels[] = {"As drawn", "Led to the border"};
 constexpr const char* kShapes[] = {"power", "exponential"};
@@ -118,10 +117,7 @@ std::vector<talweg_parameter> main_parameters() {
              "Way-points that follow each other at no more than this distance are one. By default "
              "an edge of the mesh, and at most a quarter of their median distance; 0: none are.",
              kCurves, kOptional | kAdvanced),
-      choice("ends", "Ends", "auto", kEnds, kEndLabels,
-             "auto: a stroke whose end stops a little short of its beginning, or runs over it, is "
-             "a loop; closed: every curve is; open: none that does not say it.",
-             kCurves),
+      ends_choice(kCurves),
       choice("border", "Ends near the border", "leave", kBorders, kBorderLabels,
              "snap: ends of open strokes that stop within two edges of the mesh's border, or one "
              "and a half steps of the hand, are led straight to it; leave: they stay.",

@@ -10,8 +10,7 @@
 #include "core/generated_meshes.hpp"
 #include "core/jagged_curves.hpp"
 #include "core/small_meshes.hpp"
-#include "talweg/core/drawing/edge_dijkstra.hpp"
-#include "talweg/core/mesh/surface_mesh.hpp"
+#include "talweg/talweg.hpp"
 
 namespace talweg {
 namespace {

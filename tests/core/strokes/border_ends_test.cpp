@@ -34,6 +34,20 @@ class BorderEnds : public testing::Test {
     drawing.add(mesh, curves, lines);
     return drawing;
   }
+  void expect_refused(const std::vector<Point>& points, const std::string& words) const {
+    try {
+      (void)snapped(points);
+      ADD_FAILURE() << words;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+  void expect_both_ends_at(const SurfaceCurve& curve, const Point& start, const Point& end) const {
+    expect_at(curve.points.front(), start);
+    expect_at(curve.points.back(), end);
+    EXPECT_NEAR(curve_length(mesh.surface(), curve), (end - start).norm(), 1e-9);
+  }
   SurfaceCurve straight(const Point& a, const Point& b) {
     return lines.join(snapped({a, b}).points, false);
   }
@@ -53,8 +67,6 @@ class BorderEnds : public testing::Test {
 
 TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   const SnappedCurve stroke = snapped(line({-3, 10.3, 0}, {22, 10.3, 0}, 0.5));
-  expect_at(stroke.points.front(), {0, 10.3, 0});
-  expect_at(stroke.points.back(), {20, 10.3, 0});
   EXPECT_EQ(stroke.beyond_border[0].points, 6U);  // x from -3 to -0.5
   EXPECT_EQ(stroke.beyond_border[1].points, 4U);  // x from 20.5 to 22
   EXPECT_NEAR(stroke.beyond_border[0].farthest, 3, 1e-12);
@@ -63,7 +75,7 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   EXPECT_TRUE(stroke.of_hand);
   EXPECT_FALSE(stroke.may_be_loop);
   const SnappedDrawing drawing = drawing_of({stroke});
-  EXPECT_NEAR(curve_length(mesh.surface(), drawing.curves[0]), 20, 1e-9);
+  expect_both_ends_at(drawing.curves[0], {0, 10.3, 0}, {20, 10.3, 0});
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
             "Curve 0 runs over the border of the mesh at its start: 6 points up to 3 mesh units "
@@ -99,28 +111,15 @@ TEST_F(BorderEnds, AStrokeBesideTheMeshStays) {
 TEST_F(BorderEnds, ALineFarBeyondTheMeshIsCutOffUnlessMostOfItIs) {
   // An eighth of the diagonal is 3.5, ten edges are 11.4.
   expect_at(snapped(line({-14, 10, 0}, {20, 10, 0}, 1)).points.front(), {0, 10, 0});
-  try {
-    (void)snapped(line({-40, 10, 0}, {20, 10, 0}, 1));
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
-    EXPECT_NE(std::string(error.what()).find("At position 0 of the curve"), std::string::npos)
-        << error.what();
-  }
+  expect_refused(line({-40, 10, 0}, {20, 10, 0}, 1), "At position 0 of the curve");
 }
 
 TEST_F(BorderEnds, ErrorsNumberPositionsAsGiven) {
   std::vector<Point> points = line({-3, 10, 0}, {20, 10, 0}, 1);
   points[12].y() = std::numeric_limits<double>::quiet_NaN();
-  try {
-    (void)snapped(points);
-    ADD_FAILURE();
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("At position 12 of"), std::string::npos)
-        << error.what();
-  }
+  expect_refused(points, "At position 12 of");
   points[0].x() = -std::numeric_limits<double>::infinity();
-  EXPECT_THROW((void)snapped(points), Error);
+  expect_refused(points, "At position 0 of");
 }
 
 TEST_F(BorderEnds, PaintedPointsKeepTheirPlaces) {
@@ -149,9 +148,7 @@ TEST_F(BorderEnds, ClicksBeyondTheBorderStay) {
 
 TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   const SnappedDrawing drawing = led(straight({1.5, 10.3, 0}, {18.2, 10.3, 0}));
-  expect_at(drawing.curves[0].points.front(), {0, 10.3, 0});
-  expect_at(drawing.curves[0].points.back(), {20, 10.3, 0});
-  EXPECT_NEAR(curve_length(mesh.surface(), drawing.curves[0]), 20, 1e-9);
+  expect_both_ends_at(drawing.curves[0], {0, 10.3, 0}, {20, 10.3, 0});
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
             "The start of curve 0 lies 1.5 mesh units before the border; it is led straight to "

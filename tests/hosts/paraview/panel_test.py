@@ -54,6 +54,7 @@ class Panel(unittest.TestCase):
             ("talweg.smooth", pv.TalwegSmoothVertices(Mesh=mesh), smooth | {"PointIds"}),
             ("talweg.smooth", pv.TalwegSmoothCurve(Mesh=mesh, Curve=curve), smooth | drawing),
             ("talweg.cut", pv.TalwegCut(Mesh=mesh, Curve=curve), drawing),
+            ("talweg.offset", pv.TalwegOffset(Mesh=mesh, Curve=curve), drawing),
             ("talweg.labels", pv.TalwegLabelBorders(Mesh=mesh), set()),
             ("talweg.repair", pv.TalwegRepair(Mesh=mesh), set()),
             ("talweg.measure", pv.TalwegMeasure(Mesh=mesh, Curve=curve), drawing | {"Others"})]

@@ -327,6 +327,29 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   expect_failure("cut plane.ply --curve short.obj -o c.ply --border cut", 1, {"--border"});
 }
 
+TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
+  const std::string draw = "draw plane.ply --through 56,64 -o ";  // (1, 5) and (9, 5)
+  ASSERT_EQ(run(draw + "stays.json").code, 0);
+  EXPECT_EQ(json("stays.json")["curves"][0]["points"].front()["xyz"],
+            nlohmann::json::array({1, 5, 0}));
+  const Outcome drawn = run(draw + "led.json --border snap");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_NE(drawn.out.find("The start of curve 0 lies 1 mesh units before the border; it is led"),
+            std::string::npos)
+      << drawn.out;
+  const auto points = json("led.json")["curves"][0]["points"];
+  EXPECT_EQ(points.front()["xyz"], nlohmann::json::array({0, 5, 0}));
+  EXPECT_EQ(points.back()["xyz"], nlohmann::json::array({10, 5, 0}));
+  const auto is_way_point = [](const nlohmann::json& p) { return p.value("exact", false); };
+  EXPECT_EQ(std::count_if(points.begin(), points.end(), is_way_point), 4);
+  ASSERT_EQ(run("cut plane.ply --curve led.json -o half.ply --split --border leave").code, 0);
+  EXPECT_NEAR(test::area(read_mesh(file("half-0.ply"))), 50, 1e-4);
+
+  for (const char* how : {"led.txt --border snap", "led.json --edges --border snap"}) {
+    expect_failure(draw + how, 1, {"--border snap", "between vertices"});
+  }
+}
+
 TEST_F(CutCommand, AStrokeOverTheEdgesIsSmoothedAndCutThere) {
   write(file("over.obj"), line_over(-1, 11, 5.3));
   ASSERT_EQ(run("smooth plane.ply --curve over.obj -o smooth.json").code, 0);

@@ -144,7 +144,7 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   write_mesh(file("soup.ply"), soup);
-  const char* words[] = {"with repair=weld", "1 part instead of 1200",
+  const char* words[] = {"with --repair=weld the mesh", "1 part instead of 1200",
                          "1 boundary loop instead of 1200 boundary loops"};
   const Outcome info = run("info soup.ply");
   EXPECT_EQ(info.code, 0);
@@ -157,6 +157,9 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
   write("a.obj", "v 1 1 0\nv 9 8 0\nl 1 2\n");
   write("a.txt", "0\n3000\n");
   expect_failure("draw soup.ply --through 0,3000 -o b.obj", 2, {words[0], words[1], words[2]});
+  write("c.fcsv",
+        "# CoordinateSystem = LPS\n# columns = id,x,y,z\n1,1.2,1.3,0\n2,9.2,8.3,0\n3,2.2,9.3,0\n");
+  expect_failure("draw soup.ply --clicks c.fcsv -o b.obj", 2, {words[0], words[1], words[2]});
   for (const char* command : {"smooth", "cut -o b.ply", "compare", "run talweg.smooth"}) {
     for (const char* curve : {" --curve a.obj", " --curve a.txt"}) {
       const std::string line = std::string(command) + " soup.ply" + curve;

@@ -132,6 +132,24 @@ TEST_F(SmoothMany, ACellMayHaveAValueForEachCurve) {
   EXPECT_EQ(bytes_of(file("batch.json")), bytes_of(file("direct.json")));
 }
 
+TEST_F(SmoothMany, WhatDecidesIsToldFirstWithItsRun) {
+  std::string dense, line = "l";
+  for (int k = 0; k < 20; ++k) {  // a unit apart, and ten in the middle
+    dense += "v " + std::to_string(2 + k + (k < 10 ? 0 : 7)) + " 10.3 0\n";
+    line += " " + std::to_string(k + 1);
+  }
+  write("gap.obj", dense + line + "\n");
+  write("list.csv", "mesh,curve,output\nsheet.ply,across.txt,a.json\nsheet.ply,gap.obj,b.json\n");
+  const Outcome told = run("smooth --batch list.csv");
+  ASSERT_EQ(told.code, 0) << told.err;
+  EXPECT_TRUE(told.err.starts_with(
+      "talweg: warning: list.csv, line 3 (sheet.ply): 1 gap of the drawing, over four times"))
+      << told.err;
+  EXPECT_EQ(told.err.find("line 2"), std::string::npos) << told.err;
+  EXPECT_NE(told.out.find("2 runs: 2 done"), std::string::npos) << told.out;
+  EXPECT_EQ(run("--quiet smooth --batch list.csv").err, "");
+}
+
 TEST_F(SmoothMany, SeveralFilesAreOneSetUnlessTheyAreIndependent) {
   write("both.txt", bytes_of(file("across.txt")) + "\n" + bytes_of(file("up.txt")));
   ASSERT_EQ(
@@ -219,7 +237,10 @@ TEST_F(SmoothMany, AListGivesWhatItsRunsGiveOneByOneForAnyNumberOfJobs) {
                                 "/{patient}/{mesh}-{curve}.vtp' -o '" + jobs +
                                 "/{patient}.json' --summary " + jobs + ".csv --jobs " + jobs);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
+    const std::size_t first = outcome.err.find("list.csv, line 3 (ball.obj): The result cuts off");
+    const std::size_t second = outcome.err.find("list.csv, line 7 (ball.obj): The result cuts off");
+    EXPECT_LT(first, second) << outcome.err;
+    EXPECT_NE(second, std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "4 runs: 4 done, 0 of them not converged; 0 failed, 0 cancelled\n");
     EXPECT_EQ(contents(jobs), contents("1"));
     EXPECT_EQ(bytes_of(file(std::string(jobs) + ".csv")), bytes_of(file("1.csv")));

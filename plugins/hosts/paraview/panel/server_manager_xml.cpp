@@ -147,6 +147,18 @@ constexpr const char* kSmoothEnd = R"(
 </SourceProxy>
 )";
 
+constexpr const char* kOffsetEnd = R"(
+<OutputPort index="0" name="Curves"/>
+<OutputPort index="1" name="Report"/>
+<Hints>
+  <ShowInMenu category="Talweg"/>
+  <Visibility replace_input="0"/>
+  <View type="None" port="1"/>
+  <InitializationHelper class="vtkSMTalwegStart" curves="0"/>
+</Hints>
+</SourceProxy>
+)";
+
 constexpr const char* kCutEnd = R"(
 <OutputPort index="0" name="Pieces"/>
 <OutputPort index="1" name="Chains"/>
@@ -274,6 +286,13 @@ const std::vector<Filter>& filters() {
                                            {kMeshInput, kCurveInput},
                                            {},
                                            kCutEnd},
+                                          {"talweg.offset",
+                                           "TalwegOffset",
+                                           "Talweg Offset",
+                                           "vtkTalwegOffset",
+                                           {kMeshInput, kCurveInput},
+                                           {},
+                                           kOffsetEnd},
                                           {"talweg.labels",
                                            "TalwegLabelBorders",
                                            "Talweg Label Borders",
