@@ -185,7 +185,7 @@ export async function aLargeMeshTurnsCoarsely() {
   const page = await openPage();
   await page.openMesh(mesh('large'));
   const { x, y } = await page.middle();
-  const shown = (what) => page.page.waitForSelector(`#canvas[data-mesh="${what}"]`);
+  const shown = (what) => page.page.waitForSelector(`#canvas[data-mesh="${what}"]`, { timeout: 120_000 });
   await shown('whole');
   await page.page.mouse.move(x, y);
   await page.page.mouse.down({ button: 'right' });

@@ -27,8 +27,15 @@ export class Pace {
 
   moved(): void {
     this.movedAt = performance.now();
+    this.settle();
+  }
+
+  /** Waits until the view rests. The wait becomes longer where drawing turns out to be slower meanwhile. */
+  private settle(): void {
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(this.onRest, this.rest);
+    const left = this.movedAt + this.rest - performance.now();
+    if (left > 0) this.timer = window.setTimeout(() => this.settle(), left);
+    else this.onRest();
   }
 
   get moves(): boolean {
