@@ -460,19 +460,6 @@ class Meshes(Case):
         self.assertEqual(places(output(filter, 0)), places(self.curve_of(sheet(PointIds=TEXT))))
         self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
 
-    def test_concave_polygons_are_cut_inside(self):
-        # An L of area 3; the fan from its first corner leaves it.
-        points = [(2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0), (0, 0, 0)]
-        mesh = output(pv.TalwegSmoothVertices(Mesh=source(polydata(points, [list(range(6))])),
-                                              PointIds="0 5"), 1)
-        areas = []
-        for k in range(mesh.GetNumberOfCells()):
-            a, b, c = (points[mesh.GetCell(k).GetPointId(i)] for i in range(3))
-            areas.append(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2)
-        self.assertEqual(len(areas), 4)
-        self.assertGreater(min(areas), 0)  # none is turned over
-        self.assertAlmostEqual(sum(areas), 3)
-
     def test_strips_are_cut(self):
         data = polydata(POINTS)
         from vtkmodules.vtkCommonDataModel import vtkCellArray
