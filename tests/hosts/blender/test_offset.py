@@ -5,7 +5,7 @@ import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import session, told
+from talweg_blender import last_report, session
 
 import scene
 
@@ -59,7 +59,7 @@ class Offset(unittest.TestCase):
         points = scene.spline_points_of(spline)
         ahead = np.clip(points[:, 0], 20, 40)
         np.testing.assert_allclose(np.hypot(points[:, 0] - ahead, points[:, 1] - 30), 3, atol=1e-5)
-        self.assertRegex(told.of(self.obj)[0], "^1 curve at 3 m along the surface, length 58.8")
+        self.assertRegex(last_report.of(self.obj)[0], "^1 curve at 3 m along the surface, length 58.8")
 
     def test_one_side_and_several_distances(self):
         self.assertEqual(bpy.ops.talweg.offset(distance=2, count=3, side="left"), {"FINISHED"})

@@ -4,7 +4,7 @@ import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import attributes, jobs, objects, session, told
+from talweg_blender import attributes, jobs, last_report, objects, session
 from talweg_blender.naming import named
 from talweg_blender.package import talweg
 
@@ -282,12 +282,12 @@ class Meshes(Dressed):
         self.obj.data.polygons[100].flip()
         self.obj.data.update()
         bpy.ops.talweg.repair()
-        self.assertRegex(told.of(self.obj)[0], "2 faces were turned")
-        self.assertEqual(told.of(None), ("", ()))
+        self.assertRegex(last_report.of(self.obj)[0], "2 faces were turned")
+        self.assertEqual(last_report.of(None), ("", ()))
         bpy.ops.talweg.repair()
-        self.assertIn("needs no repair", told.of(self.obj)[0])
-        told._forget()
-        self.assertEqual(told.of(self.obj)[0], "")
+        self.assertIn("needs no repair", last_report.of(self.obj)[0])
+        last_report._forget()
+        self.assertEqual(last_report.of(self.obj)[0], "")
 
     def test_edit_mode(self):
         """What the mesh has survives there, too."""

@@ -9,8 +9,8 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import again, curve_object, lengths, marks, operators, operators_of_meshes, panel, \
-    parameters, sentences, session
+from talweg_blender import curve_object, lengths, marks, operators, operators_of_meshes, panel, \
+    parameters, resmoothing, sentences, session
 
 import scene
 import support
@@ -308,7 +308,7 @@ class Decisive(Results):
         scene.annotate([u_turn()])
         self.smooth(use_slack=True, slack=8)
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "ERROR")
+        self.assertEqual(resmoothing.icon(curve), "ERROR")
         kind, words = self.panel_of(curve)[0]
         self.assertEqual(kind, "label")
         self.assertTrue(words.startswith("Mesh curve: The result cuts"), words)
@@ -330,7 +330,7 @@ class Decisive(Results):
         scene.annotate([np.c_[x, y, hill(x, y)]])
         self.smooth(tau=0, ends="closed")
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "ERROR")
+        self.assertEqual(resmoothing.icon(curve), "ERROR")
         lines = sentences.decisive_of(curve_object.report_of(curve))
         self.assertTrue(any("shrinks to a point" in line for line in lines), lines)
         self.assertEqual(len(marks.places(curve)), len(lines) - 1)  # a collapse has no place
@@ -339,7 +339,7 @@ class Decisive(Results):
         scene.annotate([line(10)])
         self.smooth()
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "CURVE_DATA")
+        self.assertEqual(resmoothing.icon(curve), "CURVE_DATA")
         self.assertEqual(self.panel_of(curve)[0][0], "prop")
         self.assertEqual(len(marks.places(curve)), 0)
         self.assertEqual(marks.rings([curve], np.eye(4), 240, 240), [])

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from talweg_blender import again, panel, session
+from talweg_blender import panel, resmoothing, session
 from talweg_blender.drawing_tool import drawn, lines, tool
 from talweg_blender.drawing_tool import view as seen
 from talweg_blender.drawing_tool.live import Live, Request
@@ -319,7 +319,7 @@ class Hand(unittest.TestCase):
             self.assertAlmostEqual(made.curve.talweg.max_deviation, made.result.total.farthest,
                                    places=5)
             told, _ = made.finish(bpy.context)
-            self.assertIn(again.numbers(bpy.context, made.curve), told)
+            self.assertIn(resmoothing.numbers(bpy.context, made.curve), told)
 
     def test_enter_does_not_smooth_again_what_is_seen(self):
         made = self.begin()

@@ -8,7 +8,7 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import again, colours, drawings, operators, page, session
+from talweg_blender import colours, drawings, operators, page, resmoothing, session
 from talweg_blender.package import talweg
 
 import scene
@@ -108,7 +108,7 @@ class Again(unittest.TestCase):
             bpy.ops.wm.open_mainfile(filepath=path)
         curve = bpy.data.objects[name]
         self.assertEqual((curve.talweg.tau, curve.talweg.thickness), (2.5, 0.5))
-        self.assertIn(f"Curvature {report(curve)['curvature_before']:.3g}", again.numbers(bpy.context, curve))
+        self.assertIn(f"Curvature {report(curve)['curvature_before']:.3g}", resmoothing.numbers(bpy.context, curve))
         curve.talweg.tau = 0
         self.assertEqual(report(curve)["tau"], 0)
         curve.talweg.tau = 2.5
