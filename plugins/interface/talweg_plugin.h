@@ -53,7 +53,7 @@ extern "C" {
 #define TALWEG_PLUGIN_EXPORT
 #endif
 
-/* ---- Status of a call --------------------------------------------------------------------------- */
+/* ---- Status of a call ------------------------------------------------------------------------- */
 
 typedef uint32_t talweg_status;
 enum {
@@ -110,7 +110,7 @@ typedef struct talweg_field {
   talweg_array values;
 } talweg_field;
 
-/* ---- Meshes and curves, as input and as results ------------------------------------------------- */
+/* ---- Meshes and curves, as input and as results ----------------------------------------------- */
 
 typedef struct talweg_mesh {
   uint32_t size;
