@@ -1,6 +1,5 @@
-# shellcheck shell=bash
-# Sourced at the project's top folder: compilers go through ccache, where it is installed. What was
-# compiled once is found again from every checkout, since no folder's name is a part of it.
+# shellcheck shell=bash Sourced at the project's top folder: makes compilers use ccache, if it is installed.
+# All checkouts share the cache, since its keys contain no names of folders.
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=${CMAKE_C_COMPILER_LAUNCHER-ccache}
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}

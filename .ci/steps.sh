@@ -1,7 +1,6 @@
-# shellcheck shell=bash
-# What .ci/run and .ci/nightly share. A script that sources this defines functions, then calls
-# run_steps with lines "NAME  WHAT" of its steps in order; a step is the function step_NAME.
-# A step that fails does not keep the later ones from running.
+# shellcheck shell=bash Functions of .ci/run and .ci/nightly. A script sources this file, defines a function
+# step_NAME for each step, and calls run_steps with a line "NAME  WHAT" for each step, in order. Steps after a
+# failed step still run.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive
@@ -9,13 +8,13 @@ export TALWEG_CMAKE_ARGS="-DTALWEG_WERROR=ON ${TALWEG_CMAKE_ARGS:-}"
 jobs=${TALWEG_JOBS:-$(nproc)}
 SECONDS=0
 
-# Where this machine remembers what passed.
+# The folder in which this machine stores the last commits that passed.
 memory=${XDG_CACHE_HOME:-$HOME/.cache}/talweg
 
 root=()
 if ((EUID != 0)); then root=(sudo); fi
 
-# Fails with what apt-get said.
+# Runs apt-get; prints its output only if it fails.
 quiet_apt() {
   local log
   log=$(mktemp)
@@ -27,7 +26,7 @@ quiet_apt() {
   rm -f "$log"
 }
 
-# install PACKAGE...: those that are missing; NAME- is one that has to go.
+# install PACKAGE...: installs missing packages; NAME- removes a package.
 install() {
   local package missing=()
   for package; do
@@ -56,14 +55,15 @@ test_in() {
   return $status
 }
 
-# What may be skipped at all: for want of a mesh only where there are none; what Debian does not have.
+# Reasons for which a test may be skipped: missing programs that Debian does not have, and, without the folder
+# of meshes, missing meshes.
 not_here='OpenFlipper|trimesh|pyvista|OpenBLAS with threads'
 meshes=${TALWEG_MESHES:-../shared/meshes}
 if [[ ! -d $meshes || ! -d $meshes/../reference ]]; then not_here+='|TALWEG_MESHES'; fi
 
 slow_under_sanitizers='TheResultFollowsTau|Reference|RealMesh|RealBuildings'
 
-# The one that ./run installs; the factor's tests ask for the others by name.
+# Selects the BLAS that ./run installs; tests of the factorization choose others by name.
 use_serial_openblas() {
   local arch library
   arch=$(g++ -print-multiarch)
@@ -76,14 +76,14 @@ use_serial_openblas() {
 table=()
 failed=0
 
-# run_step NAME WHAT: in a shell of its own, so that -e ends the step and nothing else.
+# run_step NAME WHAT: runs a step in a shell of its own, so that -e ends only the step.
 run_step() {
   local begin=$SECONDS status=0 outcome=ok
   printf '\n== %s: %s (%d min %02d s so far)\n' "$1" "$2" $((SECONDS / 60)) $((SECONDS % 60))
   set +e
   (
     set -e
-    source .ci/cache.sh  # which an earlier step may have installed
+    source .ci/cache.sh  # an earlier step may have installed ccache
     "step_$1"
   )
   status=$?
@@ -96,8 +96,9 @@ run_step() {
   table+=("$(printf '%-7s %3d min %02d s  %s: %s' $outcome $((seconds / 60)) $((seconds % 60)) "$1" "$2")")
 }
 
-# run_steps "WANTED NAMES" <steps: all of them, or those that are wanted; a table at the end. `failed` is 1
-# where a step has failed. Not to be called where a failure is caught: the steps would not end at theirs.
+# run_steps "WANTED NAMES" <steps: runs all steps, or the wanted ones, and prints a table at the end. `failed`
+# is 1 if a step has failed. Must not be called in a condition, in which -e would not end a step at its
+# failure.
 run_steps() {
   local wanted=$1 name what known=' ' steps=()
   while read -r name what; do
@@ -112,7 +113,7 @@ run_steps() {
     }
   done
   for what in "${steps[@]}"; do run_step "${what%% *}" "${what#* }"; done
-  # Who sees only the end of the output needs to know which.
+  # The failed tests are repeated at the end of the output.
   if ((failed != 0)); then .ci/failed "$((SECONDS + 60))" build/tests.xml build/*/tests.xml; fi
   printf '\n== %d min %02d s\n' $((SECONDS / 60)) $((SECONDS % 60))
   printf '%s\n' "${table[@]}"

@@ -1,4 +1,4 @@
-# What is installed beside the libraries: their headers, the CMake package and talweg.pc.
+# Installs, besides the libraries, their headers, the CMake package and talweg.pc.
 include(${CMAKE_CURRENT_LIST_DIR}/front_headers.cmake)
 front_headers(${PROJECT_SOURCE_DIR} headers)
 foreach(header IN LISTS headers)
@@ -9,7 +9,7 @@ foreach(header IN LISTS headers)
   endif()
   install(FILES ${PROJECT_SOURCE_DIR}/${header} COMPONENT development
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
-  # A header that is changed to include others is installed with them.
+  # A change of a header's includes configures again, since included headers are installed, too.
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${header})
 endforeach()
 

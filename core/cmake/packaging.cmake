@@ -38,11 +38,11 @@ set(CPACK_DEBIAN_DRIVER_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-talweg)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3:any (>= 3.9), python3-numpy")  # and the driver's package
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3:any (>= 3.9), python3-numpy")  # and on the driver's package
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/python/postinst
                                               ${PROJECT_BINARY_DIR}/python/prerm)
 
-# What the binaries need is read from them; what the headers need is named here.
+# Dependencies of the binaries are read from the binaries; dependencies of the headers are listed here.
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DRIVER_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
@@ -53,12 +53,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS
     ${PROJECT_BINARY_DIR}/intrinsic ${PROJECT_BINARY_DIR}/heat ${PROJECT_BINARY_DIR}/core
     ${PROJECT_BINARY_DIR}/plugins/loader)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
-# Any BLAS will do; this one is fast, and starts no threads (docs/development/decisions.md).
+# Any BLAS works; this one is fast, and starts no threads (docs/development/decisions.md).
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "libopenblas0-serial | libopenblas0")
 if(NOT TALWEG_IS_SHARED)
   set(CPACK_DEBIAN_DRIVER_PACKAGE_RECOMMENDS "${CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS}")
 endif()
-set(CPACK_COMPONENT_PYTHON_DEPENDS driver)  # it has the plugins
+set(CPACK_COMPONENT_PYTHON_DEPENDS driver)  # the driver's package has the plugins
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libopenmesh-dev")
 if(TALWEG_IS_SHARED)
   set(CPACK_COMPONENT_DEVELOPMENT_DEPENDS runtime)

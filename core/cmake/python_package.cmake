@@ -1,7 +1,7 @@
-# What python3-talweg is made of: the package, what importlib and pip read of it, and the scripts that
-# dh_python3 would write: modules are compiled on the machine where they are installed, for its Python.
+# The contents of python3-talweg: the package, the metadata for importlib and pip, and scripts as dh_python3
+# would write: modules are compiled on the machine where they are installed, for its Python.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/plugins/hosts/python/talweg COMPONENT python EXCLUDE_FROM_ALL
-        DESTINATION lib/python3/dist-packages  # Debian's Python looks here, whatever the prefix
+        DESTINATION lib/python3/dist-packages  # Debian's Python searches this folder, whatever the prefix
         PATTERN "__pycache__" EXCLUDE)
 file(WRITE ${PROJECT_BINARY_DIR}/python/METADATA "Metadata-Version: 2.1
 Name: talweg

@@ -1,5 +1,5 @@
-// Reading the arrays of the plugin interface, whatever their type and stride; and the exception
-// that carries a status.
+// Reads arrays of the plugin interface with any type and stride. Failure is the exception with a
+// status.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace talweg::plugin {
 
-/// Ends a call with this status; what() is the sentence for last_error.
+/// Ends a call with this status; what() is the text of last_error.
 class Failure : public std::runtime_error {
  public:
   Failure(talweg_status status, const std::string& message)
@@ -52,7 +52,7 @@ inline std::uint64_t size_of(std::uint32_t type) {
   }
 }
 
-/// An index: whole, >= 0, and less than 2^32 - 1.
+/// An index: a whole number >= 0 and less than 2^32 - 1.
 template <class Source>
 std::uint32_t index_of(Source value, std::uint64_t row, const std::string& what) {
   if constexpr (std::is_signed_v<Source>) {
@@ -118,7 +118,7 @@ inline void check_array(const talweg_array& array, std::uint32_t columns, const 
   }
 }
 
-/// The number of values in an array with this many columns. For a checked array it fits into
+/// The number of values in an array with this many columns. The values of a checked array fit into
 /// memory.
 inline std::size_t count_of(const talweg_array& array, std::uint32_t columns) {
   return static_cast<std::size_t>(array.rows) * columns;
@@ -126,7 +126,7 @@ inline std::size_t count_of(const talweg_array& array, std::uint32_t columns) {
 
 namespace detail {
 
-/// False if the array's numbers are no integers; then nothing is copied.
+/// False for an array of real numbers, from which nothing is copied.
 template <class Target>
 bool convert_integers(const talweg_array& array, const std::string& what, Target* out) {
   switch (array.type) {
@@ -161,7 +161,7 @@ bool convert_integers(const talweg_array& array, const std::string& what, Target
 
 }  // namespace detail
 
-/// Copies a checked array's numbers, row by row. Throws as check_array() does.
+/// Copies the numbers of a checked array, row by row. Throws as check_array() does.
 inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const std::string& what,
                          double* out) {
   check_array(array, columns, what);
@@ -170,8 +170,8 @@ inline void copy_numbers(const talweg_array& array, std::uint32_t columns, const
   detail::convert<double>(array, what, out);
 }
 
-/// The same for indices. Also throws Failure(TALWEG_BAD_USAGE) for real numbers, and for the first
-/// index that is negative or at least 2^32 - 1.
+/// Copies the indices of a checked array, row by row. Also throws Failure(TALWEG_BAD_USAGE) for
+/// real numbers, and for the first index that is negative or at least 2^32 - 1.
 inline void copy_indices(const talweg_array& array, std::uint32_t columns, const std::string& what,
                          std::uint32_t* out) {
   check_array(array, columns, what);
@@ -204,7 +204,8 @@ inline talweg_array view(const std::uint32_t* data, std::uint64_t rows, std::uin
 }
 inline constexpr talweg_array kNoArray = {nullptr, 0, 0, 1, TALWEG_FLOAT64};
 
-/// Throws Failure(TALWEG_BAD_USAGE) for null and for a struct that is smaller than in this version.
+/// Throws Failure(TALWEG_BAD_USAGE) for a null pointer and for a struct smaller than this
+/// version's.
 template <class Struct>
 const Struct& checked(const Struct* pointer, const char* what) {
   if (pointer == nullptr) throw Failure(TALWEG_BAD_USAGE, std::string(what) + " is null.");

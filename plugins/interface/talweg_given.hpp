@@ -1,5 +1,5 @@
-// Copies of what a plugin gives. Somebody else's plugin may give nonsense, so all is checked; what
-// is wrong is thrown as plugin::Failure.
+// Checked copies of a plugin's results, since a plugin by others may return nonsense. A wrong
+// result is thrown as plugin::Failure.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 
 namespace talweg::host::detail {
 
-/// What numbers in results may refer to: the plugin's mesh, and the curves that were set or that it
-/// gave so far, whichever are more.
+/// The bounds of indices in results: the plugin's mesh, and the curves that were set or that the
+/// plugin has returned so far, whichever are more.
 struct Limits {
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
@@ -39,7 +39,7 @@ inline void check_rows(std::size_t rows, std::size_t expected, const std::string
   nonsense(what, "has " + std::to_string(rows) + " rows, not " + std::to_string(expected));
 }
 
-/// TALWEG_NO_VERTEX and its like stand for none.
+/// Whether an index may be TALWEG_NO_VERTEX (or TALWEG_NO_TRIANGLE, TALWEG_NO_ENTRY).
 enum class None { kIsAllowed, kIsNonsense };
 
 inline void check_index(std::uint32_t index, std::uint64_t count, const char* what, std::size_t row,
@@ -68,7 +68,7 @@ inline void check_finite(const std::vector<std::array<double, 3>>& rows, const c
   }
 }
 
-/// Each row is 0 or more, with sum 1, up to rounding.
+/// Each weight must be 0 or more, and each row must have the sum 1, or `or_sum`, up to rounding.
 inline void check_weights(const std::vector<std::array<double, 3>>& rows, const char* what,
                           double or_sum = 1) {
   constexpr double kRounding = 1e-6;
@@ -101,7 +101,7 @@ std::vector<Row> index_rows_of(const talweg_array& array, const char* what) {
   }
   return rows;
 }
-/// Both take TALWEG_NO_VERTEX for an index.
+/// Both functions accept TALWEG_NO_VERTEX as an index.
 inline std::vector<std::uint32_t> vertices_of(const talweg_array& array) {
   return index_rows_of<std::uint32_t>(array, "A list of indices");
 }
@@ -133,7 +133,8 @@ inline Field given(const talweg_field& field, const Limits& limits) {
   return result;
 }
 
-/// As it is, such as from a file: it may have only vertices, or only positions.
+/// An unchecked copy of a curve, such as one from a file, which may have only vertices, or only
+/// positions.
 inline Curve copy(const talweg_curve& curve) {
   Curve result{curve.closed != 0,
                vertices_of(curve.vertices),
@@ -225,7 +226,7 @@ inline Attribute given(const talweg_attribute& attribute, const Limits& /*limits
   return copy(attribute);
 }
 
-/// Where the chains of curves end: the sum of their lengths.
+/// The sum of the lengths of the curves' chains, which must be consistent.
 inline std::uint64_t check_chains(const std::vector<std::uint32_t>& closed,
                                   const std::vector<std::uint32_t>& lengths, std::uint32_t curves) {
   check_rows(closed.size(), curves, "The list of closed curves");

@@ -1,5 +1,5 @@
 // For hosts in C++20: instances of plugins as objects, errors as exceptions, results as vectors.
-// Header-only, nothing of it crosses the boundary.
+// Header-only; no C++ type crosses the boundary to the plugin.
 //
 //   talweg::host::Services services("my program", "1.0");
 //   talweg::host::Instance smooth(plugin, services);       // plugin: from talweg_loader_find()
@@ -48,8 +48,8 @@ class Error : public std::runtime_error {
 };
 
 /// The host's services for plugins. It must not move, and must outlive the instances made with it.
-/// The functions are called on the thread of the call that they serve. An exception from the
-/// progress function counts as cancelling; one from the log function is ignored.
+/// Its functions are called on the thread of the plugin's call during which they are called. An
+/// exception from the progress function counts as cancelling; one from the log function is ignored.
 class Services {
  public:
   using Log = std::function<void(std::uint32_t severity, const char* message)>;
@@ -184,8 +184,8 @@ inline talweg_attribute view_of(const Attribute& attribute) {
           corners};
 }
 
-/// What a plugin gives in one call. Its first mistake ends the call, and counts even where the
-/// plugin goes on.
+/// The results of one call of a plugin. Its first wrong result ends the call with an error, even if
+/// the plugin continues.
 class Taken {
  public:
   explicit Taken(const Limits& mesh) : limits_(mesh) {}
@@ -204,7 +204,7 @@ class Taken {
     return TALWEG_INTERNAL;
   }
   void count_curve() { limits_.curves = std::max(limits_.curves, ++given_curves_); }
-  /// Throws Error that names the plugin, or std::bad_alloc.
+  /// Throws Error, whose sentence names the plugin, or std::bad_alloc.
   void check(const talweg_plugin& plugin) const {
     if (no_memory_) throw std::bad_alloc();
     if (mistake_.empty()) return;
@@ -238,7 +238,7 @@ class Instance {
 
   [[nodiscard]] const talweg_plugin& plugin() const { return *plugin_; }
 
-  /// Both have rows of 3; see view() and talweg_array.
+  /// Both arrays have 3 columns; see view() and talweg_array.
   void set_mesh(const talweg_array& positions, const talweg_array& triangles) {
     const talweg_mesh mesh = {sizeof mesh, 0, positions, triangles, nullptr};
     check(plugin_->set_mesh(instance_, &mesh));
@@ -254,7 +254,7 @@ class Instance {
     limits_.curves = curves.size();
   }
 
-  /// Throws Error(TALWEG_UNSUPPORTED) if the plugin takes none.
+  /// Throws Error(TALWEG_UNSUPPORTED) if the plugin takes no attributes.
   void set_attributes(const std::vector<Attribute>& attributes) {
     std::vector<talweg_attribute> views;
     std::vector<const talweg_attribute*> list;
@@ -262,12 +262,12 @@ class Instance {
     for (const talweg_attribute& view : views) list.push_back(&view);
     set_attributes(std::span<const talweg_attribute* const>(list));
   }
-  /// The same of views, in types of their own.
+  /// Sets attributes given as views, which may have any type of numbers.
   void set_attributes(std::span<const talweg_attribute* const> attributes) {
     if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("takes no attributes");
     check(meshes().set_attributes(instance_, attributes.data(), attributes.size()));
   }
-  /// The attributes of a mesh of the last run that gave meshes.
+  /// The attributes of a mesh of the last run with meshes as results.
   [[nodiscard]] std::vector<Attribute> attributes(std::uint64_t mesh) const {
     if ((meshes().takes & TALWEG_TAKES_ATTRIBUTES) == 0) unsupported("gives no attributes");
     return all_given<Attribute, talweg_attribute>([&](auto take, void* context) {
@@ -279,7 +279,8 @@ class Instance {
         [&](auto take, void* context) { return meshes().origin(instance_, mesh, take, context); });
   }
 
-  /// The plan of the last run of talweg.cut.
+  /// The plan of the last run of talweg.cut. Throws Error(TALWEG_UNSUPPORTED) if the plugin has no
+  /// plans.
   [[nodiscard]] CutPlan cut_plan() const {
     const auto* found =
         static_cast<const talweg_cut_plans*>(plugin_->get_extension(TALWEG_CUT_PLAN));
@@ -333,7 +334,7 @@ class Instance {
     List list;
     detail::Taken taken;
   };
-  /// What an extension's function gives one by one.
+  /// The values that an extension's function passes one by one.
   template <class Own, class Given, class Call>
   std::vector<Own> all_given(const Call& call) const {
     using List = Gathering<std::vector<Own>>;

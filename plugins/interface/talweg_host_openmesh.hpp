@@ -1,6 +1,6 @@
-// For hosts that work with OpenMesh: a plugin gets the host's TriMesh, and curves, fields and
-// meshes come back as handles, properties and meshes of the host's type. Header-only, on
-// talweg_host.hpp; of libraries only OpenMeshCore.
+// For hosts with OpenMesh: a plugin gets the host's TriMesh, and curves, fields and meshes are
+// returned as handles, properties and meshes of the host's type. Header-only, on top of
+// talweg_host.hpp; needs the library OpenMeshCore.
 //
 //   talweg::host::Services services("my program", "1.0");
 //   talweg::host::OpenMeshInstance<MyMesh> smooth(plugin, services);  // from talweg_loader_find()
@@ -31,22 +31,21 @@
 
 namespace talweg::host {
 
-/// As Results, but with curves in handles: curves[k] is raw.curves[k], whose positions and fields
-/// have a row for each of its points.
+/// Results with curves as handles: curves[k] is raw.curves[k], whose positions and fields have a
+/// row for each of its points.
 struct OpenMeshResults {
   Results raw;
   std::vector<openmesh::Curve> curves;
 };
 
-/// A mesh that a run made. Its properties are the attributes that were set and those that the
-/// plugin made; talweg:vertex and talweg:face (VProp<int>, FProp<int>) are the indices in the mesh
-/// that it was made of, or -1.
+/// A mesh that a run made. Its properties are the attributes that were set and the plugin's own;
+/// talweg:vertex and talweg:face (VProp<int>, FProp<int>) are indices of the original mesh, or -1.
 template <class Mesh>
 struct MadeTriMesh {
   struct Chain {
     bool closed = false;
-    /// The vertices at each place of a curve's chain of edges: one, several where a seam was
-    /// opened, or none where it is in another mesh.
+    /// The vertices at each place of a curve's chain of edges: one; several at an opened seam; none
+    /// if the place is in another mesh.
     std::vector<std::vector<OpenMesh::VertexHandle>> places;
   };
 
@@ -54,18 +53,19 @@ struct MadeTriMesh {
   std::vector<Chain> chains;
 };
 
-/// One workspace of a plugin on a TriMesh; else as Instance. Methods throw Error.
+/// One workspace of a plugin on a TriMesh, otherwise as Instance. Methods throw Error.
 template <class Mesh>
 class OpenMeshInstance {
  public:
   OpenMeshInstance(const talweg_plugin& plugin, const Services& services)
       : instance_(plugin, services) {}
 
-  /// For everything that has nothing to do with OpenMesh.
+  /// The instance behind this object, for all functions without OpenMesh.
   [[nodiscard]] Instance& instance() { return instance_; }
 
-  /// Gives the mesh without its deleted elements; handles stay the caller's. Later changes of it
-  /// are not seen. Points are not copied here where they lie side by side and none is deleted.
+  /// Sets the mesh without its deleted elements; results have the caller's handles. The plugin does
+  /// not see later changes of the mesh. Points are not copied by this object if they are contiguous
+  /// and none is deleted.
   void set_mesh(const Mesh& mesh) {
     translated([&] {
       openmesh::MeshNumbers numbers(mesh);
@@ -74,8 +74,8 @@ class OpenMeshInstance {
       numbers_ = std::move(numbers);
     });
   }
-  /// Gives the properties of the same mesh that are numbers or rows of them, with its normals,
-  /// colours and the like. Returns a sentence on each other one.
+  /// Sets the numeric properties of the same mesh, with its normals, colours and the like, as
+  /// attributes. Returns a sentence on each other property.
   std::vector<std::string> set_attributes(const Mesh& mesh) {
     std::vector<std::string> left_out;
     translated([&] {
@@ -110,7 +110,7 @@ class OpenMeshInstance {
     for (const OpenMesh::VertexHandle v : vertices) list.push_back(number(v, id));
     instance_.set(id, list);
   }
-  /// A field of the mesh that was set, as a property of it.
+  /// Sets a parameter from a property of the mesh that was set.
   template <class T>
   void set(const char* id, const OpenMesh::PropertyManager<OpenMesh::VPropHandleT<T>>& values) {
     instance_.set(id, numbers(numbers_.vertices, values));
@@ -126,9 +126,9 @@ class OpenMeshInstance {
     return results;
   }
 
-  /// Puts a run's fields on the mesh that was set: VProp<double>, or FProp<double> for those of
-  /// triangles, by their names; properties that are there are filled. Elements that were deleted
-  /// then keep what they have.
+  /// Writes a run's fields to properties of the mesh that was set, by their names: VProp<double>,
+  /// or FProp<double> for fields of triangles. Existing properties are overwritten; elements that
+  /// were deleted when the mesh was set keep their values.
   void put_fields(const OpenMeshResults& results, Mesh& mesh) const {
     check_same(mesh);
     for (const Field& field : results.raw.fields) {
@@ -159,7 +159,7 @@ class OpenMeshInstance {
  private:
   static constexpr std::uint32_t kNone = openmesh::Numbers<OpenMesh::VertexHandle>::kNone;
 
-  /// What the headers for both sides throw, as what a host gets.
+  /// Translates exceptions of the shared headers into Error.
   template <class Body>
   static void translated(const Body& body) {
     try {
@@ -198,7 +198,7 @@ class OpenMeshInstance {
                               ", and the mesh no such face, or a deleted one.");
   }
 
-  /// By vertices if all points are said to be at some; else by faces.
+  /// A curve by vertices if all points have a vertex; otherwise by faces.
   [[nodiscard]] Curve numbered(const openmesh::Curve& curve, std::size_t which) const {
     const std::string where = "Curve " + std::to_string(which);
     Curve result;
@@ -291,7 +291,8 @@ class OpenMeshInstance {
     }
     return -1;
   }
-  /// Among whole numbers 0 stands for a corner without an entry; real ones have NaN.
+  /// The entry of a corner. A corner without an entry gets 0 for whole numbers and NaN for real
+  /// numbers.
   static std::uint32_t with_none(std::uint32_t entry, openmesh::OwnedAttribute& of) {
     if (entry != TALWEG_NO_ENTRY || openmesh::detail::is_real(of.type)) return entry;
     const auto row = static_cast<std::size_t>(of.columns * plugin::detail::size_of(of.type));

@@ -1,5 +1,6 @@
-// Attributes of the interface (talweg_meshes.h) as OpenMesh properties: those of vertices and faces
-// likewise, those of corners as properties of the halfedges that lead to the corners.
+// Attributes of the interface (talweg_meshes.h) as OpenMesh properties: attributes of vertices and
+// triangles as properties of vertices and faces, attributes of corners as properties of the
+// halfedges that point to the corners.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 
 namespace talweg::openmesh {
 
-/// A property that goes over as an attribute.
+/// A property that is passed as an attribute.
 struct AttributeProperty {
   std::string name;
   std::uint32_t element = TALWEG_OF_VERTICES;
@@ -25,11 +26,11 @@ struct AttributeProperty {
   double fill = 0;
   std::uint32_t columns = 1;
   std::uint32_t type = TALWEG_FLOAT64;
-  bool shared = false;  ///< of corners that share entries
+  bool shared = false;  ///< of corners with shared entries
   const detail::Access* access = nullptr;
 };
 
-/// An attribute in memory of its own.
+/// An attribute that owns its memory.
 struct OwnedAttribute {
   std::string name;
   std::uint32_t element, carry;
@@ -88,8 +89,8 @@ inline void append_number(double value, std::uint32_t type, std::vector<char>& b
 
 inline bool is_real(std::uint32_t type) { return type == TALWEG_FLOAT64 || type == TALWEG_FLOAT32; }
 
-/// Calls `use` with the halfedges, vertices or faces that an attribute has rows for, by their index
-/// and in the order of the rows.
+/// Calls `use` with the index of each halfedge, vertex or face that an attribute has a row for, in
+/// the order of the rows.
 template <class Mesh, class Use>
 void for_rows(const Mesh& mesh, const MeshNumbers& numbers, std::uint32_t element, const Use& use) {
   if (element == TALWEG_OF_VERTICES) {
@@ -109,7 +110,8 @@ void for_rows(const Mesh& mesh, const MeshNumbers& numbers, std::uint32_t elemen
   }
 }
 
-/// Entries of an attribute of corners: equal ones at a vertex are one, and NaN is none.
+/// Entries of an attribute of corners: equal values at a vertex share an entry, and NaN is no
+/// entry.
 class Entries {
  public:
   explicit Entries(std::size_t vertices) : first_(vertices, TALWEG_NO_ENTRY) {}
@@ -133,8 +135,8 @@ class Entries {
 
 }  // namespace detail
 
-/// The property's values on a mesh, as the interface hands them over. Where the mesh does not have
-/// the property its rows are filled.
+/// The property's values on a mesh as an attribute of the interface. If the mesh does not have the
+/// property, all rows get the fill value.
 template <class Mesh>
 OwnedAttribute attribute_of(const Mesh& mesh, const MeshNumbers& numbers,
                             const AttributeProperty& property) {
@@ -151,7 +153,7 @@ OwnedAttribute attribute_of(const Mesh& mesh, const MeshNumbers& numbers,
       detail::find_property(mesh, property.element, property.name, *property.access);
   const auto read = [&](std::size_t element) {
     if (values == nullptr) return;
-    std::fill(row.begin(), row.end(), property.fill);  // a list may be shorter
+    std::fill(row.begin(), row.end(), property.fill);  // a row of a list may be shorter
     property.access->get(*values, element, row.data(), property.columns);
   };
   bool shared = property.shared;
@@ -244,9 +246,9 @@ inline AttributeProperty described(const talweg_attribute& given) {
 
 }  // namespace detail
 
-/// Adds an attribute to a mesh whose elements have the handles of their numbers. If the mesh has a
-/// property of this name and type, that one is filled.
-/// Throws plugin::Failure(TALWEG_BAD_USAGE) for what cannot be read, or be a property.
+/// Writes an attribute to a property of a mesh whose handles equal the interface's indices. A
+/// property of this name and type is reused, otherwise one is added. Throws
+/// plugin::Failure(TALWEG_BAD_USAGE) for an attribute that cannot be read or cannot be a property.
 template <class Mesh>
 AttributeProperty add_property(Mesh& mesh, const talweg_attribute& attribute) {
   AttributeProperty property = detail::described(attribute);

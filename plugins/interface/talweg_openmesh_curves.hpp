@@ -1,4 +1,4 @@
-// Curves of the interface in handles of an OpenMesh mesh.
+// Curves of the interface as handles of an OpenMesh mesh.
 #pragma once
 
 #include <array>
@@ -17,27 +17,27 @@
 
 namespace talweg::openmesh {
 
-/// A point of a curve: at a vertex, or in a face (on its edges, too), or both said.
+/// A point of a curve: at a vertex, or in a face (or on its edges), or with both given.
 struct CurvePoint {
-  VertexHandle vertex;                     ///< invalid: at none, or not said
-  FaceHandle face;                         ///< invalid: only the vertex is said
+  VertexHandle vertex;                     ///< invalid: no vertex, or not given
+  FaceHandle face;                         ///< invalid: only the vertex is given
   std::array<double, 3> barycentric = {};  ///< in the order of corners_of(mesh, face)
 };
 
 struct Curve {
   bool closed = false;
   std::vector<CurvePoint> points;
-  std::vector<std::uint32_t> pins;  ///< places of points that shall stay
-  std::vector<double> exact;        ///< marks of the points (talweg_way_points.h), or none
+  std::vector<std::uint32_t> pins;  ///< indices of points that must not move
+  std::vector<double> exact;        ///< marks of the points (talweg_way_points.h); empty: no marks
 };
 
 namespace detail {
 
-/// Reads one curve of a host's for a mesh whose elements have the handles of their numbers.
+/// Reads a host's curve on a mesh whose handles equal the interface's indices.
 template <class Mesh>
 class CurveReader {
  public:
-  /// `number`: which curve it is, for sentences.
+  /// `number` is the index of the curve, for sentences.
   CurveReader(const Mesh& mesh, Nearest<Mesh>& nearest, std::size_t number)
       : mesh_(mesh), nearest_(nearest), name_("Curve " + std::to_string(number)) {}
 

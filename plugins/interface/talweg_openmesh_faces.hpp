@@ -1,4 +1,5 @@
-// Which lists of triangles OpenMesh can take, told before it prints what it does not.
+// Checks whether OpenMesh can represent a list of triangles, since OpenMesh prints a message for
+// triangles that it cannot.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace detail {
   throw plugin::Failure(TALWEG_BAD_MESH, "Face " + std::to_string(face) + " " + problem + ".");
 }
 
-/// The corner of a face at some vertex: the edge that leads away from the vertex, and the one that
-/// leads to it.
+/// The corner of a face at a vertex: `to` is the end of the edge that leaves the vertex, `from` the
+/// start of the edge that enters it.
 struct Corner {
   std::uint32_t to, from, face;
 };
 
-/// The faces around one vertex, which OpenMesh has as fans: a closed one, or any number of open
-/// ones.
+/// The faces around one vertex, which OpenMesh represents as fans: one closed fan, or any number of
+/// open ones.
 class Fans {
  public:
   void check(std::uint32_t vertex, std::vector<Corner>& corners) {
@@ -68,7 +69,7 @@ class Fans {
       has_previous_[next_[k]] = true;
     }
   }
-  /// The number of corners in the fan from this one on.
+  /// The number of corners in the fan from corner k on.
   std::size_t walk(std::size_t k) {
     std::size_t count = 0;
     for (; k != kNone && !seen_[k]; k = next_[k], ++count) seen_[k] = true;
@@ -81,7 +82,7 @@ class Fans {
 
 }  // namespace detail
 
-/// Throws plugin::Failure(TALWEG_BAD_MESH), which names a face, unless OpenMesh can have these
+/// Throws plugin::Failure(TALWEG_BAD_MESH), which names a face, unless OpenMesh can represent these
 /// triangles together. O(n log n) for any number of faces at a vertex.
 inline void check_faces(const std::vector<std::uint32_t>& corners, std::size_t vertices) {
   if (vertices > INT32_MAX || corners.size() > INT32_MAX / 2) {

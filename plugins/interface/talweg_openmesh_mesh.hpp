@@ -1,6 +1,6 @@
-// For plugins and hosts that work with OpenMesh: the handles of a mesh and their numbers, a mesh as
-// arrays of the interface, and such arrays as a mesh. talweg_plugin_openmesh.hpp and
-// talweg_host_openmesh.hpp are what to include.
+// For plugins and hosts with OpenMesh: the numbers of a mesh's handles in the interface, a mesh as
+// arrays of the interface, and a mesh from such arrays. Programs include talweg_plugin_openmesh.hpp
+// or talweg_host_openmesh.hpp.
 #pragma once
 
 #include <array>
@@ -24,15 +24,15 @@ using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
 using OpenMesh::VertexHandle;
 
-/// Numbers from 0 of the elements that are not deleted, in the order of their handles. They take
-/// memory only if there are deleted ones.
+/// Numbers from 0 for the elements that are not deleted, in the order of their handles. A mesh
+/// without deleted elements needs no memory for them.
 template <class Handle>
 class Numbers {
  public:
   static constexpr std::uint32_t kNone = UINT32_MAX;
 
   Numbers() = default;
-  /// `deleted` says whether the element of a handle is.
+  /// `deleted` returns whether the element of a handle is deleted.
   template <class Deleted>
   Numbers(std::size_t count, const Deleted& deleted) : count_(count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -58,7 +58,7 @@ class Numbers {
   }
 
  private:
-  /// The elements before the first deleted one.
+  /// Numbers the elements before the first deleted one.
   void begin_list(std::size_t before) {
     numbers_.reserve(count_);
     for (std::size_t i = 0; i < before; ++i) {
@@ -72,7 +72,7 @@ class Numbers {
   std::vector<int> handles_;
 };
 
-/// The numbers of a mesh's vertices and faces, as the interface counts them.
+/// The numbers of a mesh's vertices and faces in the interface.
 struct MeshNumbers {
   Numbers<VertexHandle> vertices;
   Numbers<FaceHandle> faces;
@@ -87,8 +87,8 @@ struct MeshNumbers {
               [&](FaceHandle f) { return mesh.has_face_status() && mesh.status(f).deleted(); }) {}
 };
 
-/// The halfedges of a face, in the order of its corners; each leads to its corner. The corners of a
-/// face that was just added are in the order in which they were given.
+/// The halfedges of a face, in the order of its corners; each points to its corner. A newly added
+/// face has its corners in the order of its vertex list.
 template <class Mesh>
 std::array<HalfedgeHandle, 3> corner_halfedges(const Mesh& mesh, FaceHandle f) {
   const HalfedgeHandle h = mesh.halfedge_handle(f);
@@ -108,9 +108,9 @@ std::array<VertexHandle, 3> corners_of(const Mesh& mesh, FaceHandle f) {
 template <class Mesh>
 using ScalarOf = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
 
-/// A mesh as arrays of the interface, without its deleted elements. Its points are looked at where
-/// they are, if they lie side by side and none is deleted; so it must outlive this, unchanged.
-/// Throws plugin::Failure(TALWEG_BAD_MESH) when a face that is not deleted has a deleted vertex.
+/// A mesh as arrays of the interface, without its deleted elements. Points are not copied if they
+/// are contiguous and none is deleted; so the mesh must outlive the arrays, unchanged. Throws
+/// plugin::Failure(TALWEG_BAD_MESH) if a face that is not deleted has a deleted vertex.
 template <class Mesh>
 class MeshArrays {
  public:
@@ -162,9 +162,9 @@ class MeshArrays {
   std::vector<std::uint32_t> triangles_;
 };
 
-/// Makes an empty mesh of arrays: vertex and face k have the handles k, and corners their order.
-/// Throws plugin::Failure(TALWEG_BAD_MESH), which names a face, for faces that OpenMesh cannot have
-/// together, and for coordinates that are not finite numbers of the mesh's kind.
+/// Fills an empty mesh from arrays: vertex and face k get the handles k, and corners keep their
+/// order. Throws plugin::Failure(TALWEG_BAD_MESH), which names a face, for faces that OpenMesh
+/// cannot represent together, and for coordinates that are not finite in the mesh's scalar type.
 template <class Mesh>
 void fill_mesh(Mesh& mesh, const talweg_array& positions, const talweg_array& triangles) {
   const std::vector<double> xyz = plugin::numbers_of(positions, 3, "The mesh's positions");

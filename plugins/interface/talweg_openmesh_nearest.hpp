@@ -1,4 +1,4 @@
-// Points in space are moved to the nearest points of an OpenMesh mesh.
+// Moves points in space to the nearest points of an OpenMesh mesh.
 #pragma once
 
 #include <algorithm>
@@ -23,13 +23,13 @@ inline double dot(const Place& a, const Place& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Where on the segment from 0 to `along` the nearest point to p is.
+/// The parameter in [0, 1], on the segment from 0 to `along`, of the point nearest to p.
 inline double nearest_on(const Place& along, const Place& p) {
   const double length = dot(along, along);
   return length > 0 ? std::clamp(dot(along, p) / length, 0.0, 1.0) : 0;
 }
 
-/// Barycentric coordinates of the point of a triangle that is nearest to p.
+/// Barycentric coordinates of the point of a triangle nearest to p.
 inline Place nearest_in(const std::array<Place, 3>& corners, const Place& p) {
   const Place u = minus(corners[1], corners[0]), v = minus(corners[2], corners[0]);
   const Place w = minus(p, corners[0]);
@@ -71,7 +71,7 @@ struct Box {
 }  // namespace detail
 
 /// Finds nearest points of a mesh without deleted elements, which must outlive it. Its tree of
-/// boxes is made when it is first needed: O(n log n).
+/// boxes is built at the first query: O(n log n).
 template <class Mesh>
 class Nearest {
  public:
@@ -81,7 +81,7 @@ class Nearest {
     FaceHandle face;
     std::array<double, 3> barycentric;
   };
-  /// The mesh must have faces. Of faces that are equally near the first in the tree.
+  /// The mesh must have faces. Of faces at equal distance the first in the tree is found.
   Found to(const std::array<double, 3>& p) {
     if (order_.empty()) build();
     Best best;
@@ -117,7 +117,7 @@ class Nearest {
     split(0, 0, order_.size(), centers);
   }
 
-  /// Faces from first to last belong to a node; its halves are nodes 2 n + 1 and 2 n + 2.
+  /// Splits the faces from first to last of a node; its halves are nodes 2 n + 1 and 2 n + 2.
   void split(std::size_t node, std::size_t first, std::size_t last,
              const std::vector<detail::Place>& centers) {
     if (node >= boxes_.size()) boxes_.resize(node + 1);

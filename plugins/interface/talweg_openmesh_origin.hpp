@@ -1,5 +1,4 @@
-// Where a mesh that a plugin made with OpenMesh comes from, kept in properties, as talweg_meshes.h
-// has it.
+// The origin (talweg_meshes.h) of a mesh that a plugin made with OpenMesh, stored in properties.
 #pragma once
 
 #include <array>
@@ -14,22 +13,22 @@
 
 namespace talweg::openmesh {
 
-/// VProp<int> and FProp<int>: the number, in the host's mesh, of each vertex and face; -1: it comes
-/// from nowhere. A face that was changed counts as a part of the one that it was.
+/// VProp<int> and FProp<int>: the index of each vertex and face in the host's mesh; -1: no origin.
+/// A changed face counts as a part of the face that it was.
 inline constexpr const char* kVertexNumber = "talweg:vertex";
 inline constexpr const char* kFaceNumber = "talweg:face";
-/// VProp<Between>, which may be absent: where vertices lie that have no number.
+/// VProp<Between>, optional: the places of vertices without an index.
 inline constexpr const char* kBetween = "talweg:between";
 
-/// A place in a triangle of the host's mesh, or on an edge: at weights, with the sum 1, between
-/// vertices, by their numbers. Those that are not needed are TALWEG_NO_VERTEX and have the weight
-/// 0.
+/// A place in a triangle or on an edge of the host's mesh: weights, with the sum 1, of vertices by
+/// their indices. Unneeded vertices are TALWEG_NO_VERTEX and have the weight 0.
 struct Between {
   std::array<std::uint32_t, 3> vertices = {TALWEG_NO_VERTEX, TALWEG_NO_VERTEX, TALWEG_NO_VERTEX};
   std::array<double, 3> weights = {};
 };
 
-/// Gives each element of a mesh its own number. What copies a property copies them, too.
+/// Stores the index of each element of a mesh. Functions that copy properties also copy the
+/// indices.
 template <class Mesh>
 void number_elements(Mesh& mesh) {
   OpenMesh::VPropHandleT<int> vertex;
@@ -44,8 +43,8 @@ void number_elements(Mesh& mesh) {
   }
 }
 
-/// The origin of a mesh that was made, and where curves at vertices run in it: those whose vertices
-/// are still there and still neighbours.
+/// The origin of a made mesh, and the chains of the curves at vertices in it, where all vertices
+/// still exist and are still neighbours.
 template <class Mesh>
 class MadeOrigin {
  public:
@@ -119,7 +118,7 @@ class MadeOrigin {
 
   const Mesh& mesh_;
   const MeshNumbers& numbers_;
-  std::vector<VertexHandle> now_;  // by the number in the host's mesh
+  std::vector<VertexHandle> now_;  // indexed by the vertices of the host's mesh
   std::vector<std::uint32_t> vertices_, triangles_, closed_, lengths_, chains_;
   std::vector<double> weights_;
 };

@@ -1,5 +1,5 @@
-// The properties of an OpenMesh mesh that can go over as attributes of the interface, and what is
-// to be said of the others.
+// The properties of an OpenMesh mesh that can be attributes of the interface, with a sentence on
+// each of the others.
 #pragma once
 
 #include <cctype>
@@ -18,7 +18,7 @@
 
 namespace talweg::openmesh {
 
-/// Properties of these names are ours: where vertices and faces come from.
+/// The prefix of Talweg's own properties, which hold the origin of vertices and faces.
 inline constexpr std::string_view kOwnPrefix = "talweg:";
 
 namespace detail {
@@ -28,10 +28,10 @@ inline std::string lower(std::string text) {
   return text;
 }
 
-/// As Talweg's other hosts carry attributes if nothing is said.
+/// The default rule for new elements, the same as in Talweg's other hosts.
 inline std::uint32_t carry_of(const std::string& name, std::uint32_t type, std::uint32_t columns) {
   const std::string text = lower(name);
-  const std::string last = text.substr(text.find(':') + 1);  // OpenMesh's own is v:normals
+  const std::string last = text.substr(text.find(':') + 1);  // OpenMesh's own name is v:normals
   if (is_real(type) && columns == 3 && (last == "normal" || last == "normals")) {
     return TALWEG_CARRY_DIRECTION;
   }
@@ -40,7 +40,7 @@ inline std::uint32_t carry_of(const std::string& name, std::uint32_t type, std::
   return type == TALWEG_UINT8 ? TALWEG_CARRY_ROUNDED : TALWEG_CARRY_NEAREST;
 }
 
-/// Colours are white in lids, all else is 0.
+/// The value on lids: white for colours, 0 for everything else.
 inline double fill_of(const std::string& name, std::uint32_t type, std::uint32_t columns) {
   if (lower(name).find("col") == std::string::npos || columns < 3 || columns > 4) return 0;
   return type == TALWEG_UINT8 ? 255 : is_real(type) ? 1 : 0;
@@ -50,7 +50,7 @@ inline std::string what_it_is(const std::string& element, const OpenMesh::BasePr
   return "The " + element + " property \"" + property.name() + "\"";
 }
 
-/// Why a property does not go over, or none; then it is described.
+/// Describes a property. Returns why the property cannot be an attribute, or nothing if it can.
 template <class Mesh>
 std::optional<std::string> described(const Mesh& mesh, const MeshNumbers& numbers,
                                      const OpenMesh::BaseProperty& given,
@@ -80,7 +80,8 @@ std::optional<std::string> described(const Mesh& mesh, const MeshNumbers& number
   return std::nullopt;
 }
 
-/// Neither points, status and what is ours, nor what has no name.
+/// Whether a property may be an attribute: points, status, Talweg's own and unnamed properties may
+/// not.
 inline bool may_go_over(const OpenMesh::BaseProperty* property) {
   if (property == nullptr) return false;
   const std::string& name = property->name();
@@ -91,8 +92,9 @@ inline bool may_go_over(const OpenMesh::BaseProperty* property) {
 
 }  // namespace detail
 
-/// All properties of a mesh that go over as attributes. Those with names of OpenMesh's own go, too,
-/// but for points and status; unnamed ones do not. `left_out` gets a sentence on each that cannot.
+/// All properties of a mesh that can be attributes, with OpenMesh's own except points and status.
+/// Unnamed properties are left out. `left_out` gets a sentence on each named property that cannot
+/// be an attribute.
 template <class Mesh>
 std::vector<AttributeProperty> properties_of(const Mesh& mesh, const MeshNumbers& numbers,
                                              std::vector<std::string>& left_out) {

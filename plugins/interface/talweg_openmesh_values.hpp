@@ -1,5 +1,5 @@
-// The values of OpenMesh properties as rows of numbers, and how properties are reached whose type
-// is known when the program runs only.
+// The values of OpenMesh properties as rows of numbers, and access to properties whose type is
+// known only at run time.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace talweg::openmesh::detail {
 
-/// The interface's name of a type of numbers.
+/// The interface's constant for a type of numbers.
 template <class Number>
 constexpr std::uint32_t type_of() {
   if constexpr (std::is_same_v<Number, double>) return TALWEG_FLOAT64;
@@ -36,7 +36,7 @@ constexpr std::uint32_t type_of() {
   }
 }
 
-/// A property's value as a row of numbers: a number, a vector of OpenMesh's, or a list.
+/// A property's value as a row of numbers: a number, a vector of OpenMesh, or a list.
 template <class Value>
 struct Row {
   using Number = Value;
@@ -73,10 +73,10 @@ struct Row<std::vector<N>> {
 
 /// Reads and writes the values of properties of one type.
 struct Access {
-  std::uint32_t type;  ///< of the numbers
+  std::uint32_t type;  ///< type of the numbers
   std::string (*type_name)();
   std::uint32_t (*columns)(const OpenMesh::BaseProperty& property, std::size_t element);
-  /// At most so many numbers; a list may have fewer.
+  /// Reads at most `columns` numbers; a list may have fewer.
   void (*get)(const OpenMesh::BaseProperty& property, std::size_t element, double* row,
               std::uint32_t columns);
   void (*put)(OpenMesh::BaseProperty& property, std::size_t element, const double* row,
@@ -104,8 +104,8 @@ struct AccessTo {
                                   OpenMesh::get_type_name<Value>, columns, get, put};
 };
 
-/// Calls `use` with a null pointer to the type that values of so many columns have: numbers,
-/// VectorT of 2 to 4, else std::vector.
+/// Calls `use` with a null pointer to the type for values of this many columns: a number, VectorT
+/// of 2 to 4, or else std::vector.
 template <class Number, class Use>
 auto with_columns(std::uint32_t columns, const Use& use) {
   switch (columns) {
@@ -122,7 +122,7 @@ auto with_columns(std::uint32_t columns, const Use& use) {
   }
 }
 
-/// The same for a type of numbers of the interface's, which must be known.
+/// Calls `use` as with_columns() does, for a type of numbers of the interface, which must be known.
 template <class Use>
 auto with_type(std::uint32_t type, std::uint32_t columns, const Use& use) {
   switch (type) {
@@ -153,7 +153,7 @@ inline const Access& access(std::uint32_t type, std::uint32_t columns) {
   return *with_type(type, columns, []<class Value>(Value*) { return &AccessTo<Value>::kAll; });
 }
 
-/// That of a property that is there; null if its values are no rows of numbers.
+/// The access to an existing property; null if its values are no rows of numbers.
 inline const Access* access_to(const OpenMesh::BaseProperty& property) {
   for (std::uint32_t type = TALWEG_FLOAT64; type <= TALWEG_UINT16; ++type) {
     for (const std::uint32_t columns : {1, 2, 3, 4, 5}) {
@@ -165,7 +165,8 @@ inline const Access* access_to(const OpenMesh::BaseProperty& property) {
   return flags.type_name() == property.internal_type_name() ? &flags : nullptr;
 }
 
-/// The properties of a mesh that attributes of this element are; those of corners are of halfedges.
+/// The properties of a mesh for attributes of this element; attributes of corners are properties of
+/// halfedges.
 template <class Mesh>
 auto properties_at(const Mesh& mesh, std::uint32_t element) {
   if (element == TALWEG_OF_VERTICES) return std::pair(mesh.vprops_begin(), mesh.vprops_end());
@@ -173,7 +174,7 @@ auto properties_at(const Mesh& mesh, std::uint32_t element) {
   return std::pair(mesh.hprops_begin(), mesh.hprops_end());
 }
 
-/// The first with this name and type; null if there is none.
+/// The first property with this name and type; null if there is none.
 template <class Mesh>
 OpenMesh::BaseProperty* find_property(const Mesh& mesh, std::uint32_t element,
                                       const std::string& name, const Access& access) {

@@ -1,4 +1,4 @@
-// For authors of plugins: describing parameters, and their values as the host sets them.
+// For authors of plugins: descriptions of parameters, and the values that the host sets.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace talweg::plugin {
 
-/// Range of a number; a slider should offer the soft range.
+/// The range of a number; a slider should span the soft range.
 struct Range {
   double minimum = -HUGE_VAL;
   double maximum = HUGE_VAL;
@@ -94,7 +94,7 @@ class Parameters {
     }
   }
 
-  // For the plugin; the id must be one of its own.
+  // For the plugin; the id must be one of the plugin's parameters.
   [[nodiscard]] double number(const char* id) const { return at(id).number.value_or(0); }
   [[nodiscard]] std::optional<double> optional(const char* id) const { return at(id).number; }
   [[nodiscard]] bool flag(const char* id) const { return number(id) != 0; }
@@ -102,7 +102,7 @@ class Parameters {
   [[nodiscard]] const std::vector<std::uint32_t>& vertices(const char* id) const {
     return at(id).vertices;
   }
-  /// Empty if none was given.
+  /// Empty if the host has set no array.
   [[nodiscard]] const std::vector<double>& field(const char* id) const { return at(id).field; }
   /// How often the parameter's value has changed.
   [[nodiscard]] std::uint64_t changes(const char* id) const { return at(id).changes; }
@@ -115,7 +115,7 @@ class Parameters {
     return sum;
   }
 
-  // For the host. These functions throw Failure(TALWEG_BAD_USAGE), and then change nothing.
+  // For the host. If a function throws Failure(TALWEG_BAD_USAGE), it has changed nothing.
   void set_number(const char* id, double value) {
     Value& parameter = find(id);
     check_number(*parameter.description, value);
@@ -182,7 +182,7 @@ class Parameters {
   [[noreturn]] static void bad(const std::string& message) {
     throw Failure(TALWEG_BAD_USAGE, message);
   }
-  /// The label and id: "Largest deviation (max_deviation)".
+  /// The label with the id: "Largest deviation (max_deviation)".
   static std::string name_of(const talweg_parameter& p) {
     return std::string(p.label) + " (" + p.id + ")";
   }

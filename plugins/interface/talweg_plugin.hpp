@@ -1,5 +1,6 @@
-// For authors of plugins in C++20: a class becomes a plugin. Header-only, nothing of it crosses the
-// boundary; exceptions become a status and last_error. docs/plugins.md shows a plugin made with it.
+// For authors of plugins in C++20: a class becomes a plugin. Header-only; no C++ type crosses the
+// boundary to the host. Exceptions become a status and last_error. docs/plugins.md shows a plugin
+// made with it.
 //
 //   class Mine {
 //    public:
@@ -56,7 +57,7 @@ class Services {
   void log(std::uint32_t severity, const std::string& message) const {
     if (log_ != nullptr && log_->log != nullptr) log_->log(host_, severity, message.c_str());
   }
-  /// False when the host wants the call to end; the plugin must then throw cancelled().
+  /// False if the host wants the call to end; the plugin must then throw cancelled().
   [[nodiscard]] bool go_on(const char* stage, double fraction) const {
     if (cancelled_->load(std::memory_order_relaxed)) return false;
     if (progress_ == nullptr || progress_->progress == nullptr) return true;
@@ -122,8 +123,7 @@ class Outputs {
   const talweg_sink& sink_;
 };
 
-/// A function of the host's that results of an extension are given to. When it
-/// fails, the call ends.
+/// A function of the host that takes results of an extension. If it fails, the call ends.
 template <class Struct>
 class Taker {
  public:
@@ -156,7 +156,7 @@ class Adapter {
   static const talweg_plugin* plugin() { return &table().plugin; }
 
  private:
-  /// Descriptions, at addresses that stay valid.
+  /// The plugin's descriptions, at addresses that stay valid.
   struct Table {
     std::vector<talweg_parameter> parameters = T::parameters();
     std::vector<talweg_output> outputs = T::outputs();
@@ -192,7 +192,7 @@ class Adapter {
     explicit Instance(const talweg_host* host)
         : services(host, cancelled), parameters(table().parameters), worker(services) {}
 
-    const Table* kind = &table();  // distinguishes instances of different plugins
+    const Table* kind = &table();  // tells instances of different plugins apart
     std::atomic<bool> cancelled = false;
     std::atomic<bool> busy = false;
     std::string error;
@@ -273,7 +273,7 @@ class Adapter {
         self.error = "An exception of an unknown kind was thrown.";
         return TALWEG_INTERNAL;
       }
-    } catch (...) {  // no memory even for the sentence
+    } catch (...) {  // no memory even for the message
       return TALWEG_OUT_OF_MEMORY;
     }
   }
@@ -413,7 +413,7 @@ class Adapter {
   }
 };
 
-/// The module that talweg_plugin_entry() returns, of functions that give its plugins.
+/// The module that talweg_plugin_entry() returns, from functions that return its plugins.
 template <const talweg_plugin* (*... plugins)()>
 const talweg_module* module_of() noexcept {
   try {
@@ -427,7 +427,7 @@ const talweg_module* module_of() noexcept {
   }
 }
 
-/// The same, of plugin classes.
+/// The module that talweg_plugin_entry() returns, from plugin classes.
 template <class... Plugins>
 const talweg_module* module_of() noexcept {
   return module_of<Adapter<Plugins>::plugin...>();

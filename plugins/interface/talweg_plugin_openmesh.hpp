@@ -1,6 +1,6 @@
-// For authors of plugins who work with OpenMesh: a base class that has the host's mesh as a TriMesh
-// of their own traits, and takes a TriMesh as output. Header-only, on talweg_plugin.hpp; of
-// libraries only OpenMeshCore. docs/openmesh.md shows a plugin made with it.
+// For authors of plugins with OpenMesh: a base class that provides the host's mesh as a TriMesh
+// with the author's traits, and passes a TriMesh as a result. Header-only, on top of
+// talweg_plugin.hpp; needs the library OpenMeshCore. docs/openmesh.md shows a plugin made with it.
 //
 //   class Mine : public talweg::plugin::OpenMeshWorker<MyTraits> {
 //    public:
@@ -38,8 +38,8 @@
 
 namespace talweg::plugin {
 
-/// The part of a plugin class that talks to the host. Vertex, face and curve numbers of the host
-/// are handles of the mesh.
+/// The part of a plugin class that exchanges data with the host. Indices of the host's vertices and
+/// faces are handles of the mesh.
 template <class Traits>
 class OpenMeshWorker {
  public:
@@ -91,7 +91,7 @@ class OpenMeshWorker {
     const Made& made = this->made(number);
     take(openmesh::MadeOrigin<Mesh>(made.mesh, made.numbers, curves_).view());
   }
-  /// A class that has one of its own calls this one.
+  /// A derived class with its own prepare() must call this one.
   void prepare(const Parameters& /*parameters*/) { made_.clear(); }
 
  protected:
@@ -99,12 +99,12 @@ class OpenMeshWorker {
 
   [[nodiscard]] const Services& services() const { return *services_; }
   /// The host's mesh, with its attributes as properties of their names and types, and the numbers
-  /// of its elements (talweg_openmesh_origin.hpp). It is made once for each set_mesh(), and shared
-  /// with other instances; copies may be changed.
+  /// of its elements (talweg_openmesh_origin.hpp). The mesh is made once for each set_mesh(), and
+  /// shared with other instances; only copies may be changed.
   [[nodiscard]] const Mesh& mesh() const { return *mesh_; }
   [[nodiscard]] const std::vector<Curve>& curves() const { return curves_; }
 
-  /// The vertices of a parameter of the type TALWEG_VERTICES.
+  /// The value of a parameter of the type TALWEG_VERTICES, as handles.
   [[nodiscard]] std::vector<OpenMesh::VertexHandle> vertices(const Parameters& parameters,
                                                              const char* id) const {
     std::vector<OpenMesh::VertexHandle> handles;
@@ -118,8 +118,9 @@ class OpenMeshWorker {
     }
     return handles;
   }
-  /// Fills a property of a copy of the mesh with a parameter of the type TALWEG_FIELD, or
-  /// TALWEG_TRIANGLE_FIELD for a property of faces. False if the host gave none.
+  /// Writes a parameter of the type TALWEG_FIELD to a property of vertices, or one of the type
+  /// TALWEG_TRIANGLE_FIELD to a property of faces, of a copy of the mesh. False if the host has set
+  /// no value.
   template <class T>
   bool take_field(const Parameters& parameters, const char* id,
                   OpenMesh::PropertyManager<OpenMesh::VPropHandleT<T>>& values) const {
@@ -131,7 +132,8 @@ class OpenMeshWorker {
     return take<OpenMesh::FaceHandle>(parameters.field(id), id, mesh_->n_faces(), values);
   }
 
-  /// Gives a field: the property's values on the mesh, or on a copy that still has its handles.
+  /// Passes a field to the host: the property's values on the mesh, or on a copy that still has its
+  /// handles.
   template <class T>
   void give_field(const Outputs& outputs, const char* name, const char* unit,
                   const OpenMesh::PropertyManager<OpenMesh::VPropHandleT<T>>& values) const {
@@ -143,10 +145,11 @@ class OpenMeshWorker {
     give<OpenMesh::FaceHandle>(outputs, name, unit, mesh_->n_faces(), values);
   }
 
-  /// Gives a mesh without its deleted elements; they need not be collected. The host's attributes
-  /// go back in its properties, which a copy of mesh() has, then others that have names; the host's
-  /// log is told what cannot go over. Where it comes from is in the properties of
-  /// talweg_openmesh_origin.hpp, which such a copy has, too.
+  /// Passes a mesh to the host, without deleted elements, which need not be collected. Its
+  /// attributes are first the host's, from the properties that a copy of mesh() has, then other
+  /// named properties; the host's log gets a sentence on each property that cannot be an attribute.
+  /// Its origin is read from the properties of talweg_openmesh_origin.hpp, which such a copy also
+  /// has.
   void give_mesh(const Outputs& outputs, const Mesh& mesh) {
     if (!outputs.wants_meshes()) return;
     Made& made = made_.emplace_back(mesh);
@@ -183,8 +186,8 @@ class OpenMeshWorker {
                                         " are there of a run that gave meshes.");
   }
 
-  /// The host's, then the plugin's own; OpenMesh's normals, colours and the like are the host's or
-  /// nobody's.
+  /// Lists the host's attributes, then the plugin's own. OpenMesh's normals, colours and the like
+  /// are listed only if the host set them.
   void list_attributes(Made& made) const {
     std::vector<std::string> said;
     for (const openmesh::AttributeProperty& property : attributes_) {
@@ -238,7 +241,7 @@ class OpenMeshWorker {
   std::unique_ptr<openmesh::Nearest<Mesh>> nearest_;
   std::vector<Curve> curves_;
   std::vector<openmesh::AttributeProperty> attributes_;
-  std::deque<Made> made_;  // by the last run
+  std::deque<Made> made_;  // meshes of the last run
 };
 
 }  // namespace talweg::plugin

@@ -1,4 +1,4 @@
-// What a host gives to a plugin and gets from it, in types of its own.
+// A host's input and a plugin's results as types that own their memory.
 #pragma once
 
 #include <array>
@@ -17,17 +17,18 @@ struct Field {
   std::vector<double> values;
 };
 
-/// Input has `vertices`, or `faces` and `barycentrics`, or `positions`. Output has all of them.
+/// Input has `vertices`, or `faces` and `barycentrics`, or `positions`. Results have all of them.
 struct Curve {
   bool closed = false;
-  std::vector<std::uint32_t> vertices;  ///< out: TALWEG_NO_VERTEX if the point is not at a vertex
+  std::vector<std::uint32_t> vertices;  ///< result: TALWEG_NO_VERTEX if the point is not at a
+                                        ///< vertex
   std::vector<std::uint32_t> faces;
   std::vector<std::array<double, 3>> barycentrics;
   std::vector<std::array<double, 3>> positions;
-  std::vector<std::uint32_t> pins;  ///< in: indices of points
-  std::vector<Field> fields;        ///< out: values per point
-  /// Marks of way-points and painted points, one for each point (talweg_way_points.h); empty if
-  /// nothing is said of any. Out: those of the field with this name.
+  std::vector<std::uint32_t> pins;  ///< input: indices of points that must not move
+  std::vector<Field> fields;        ///< result: values per point
+  /// Marks of way-points and painted points, one for each point (talweg_way_points.h); empty: no
+  /// marks. In results: the values of the field with this name.
   std::vector<double> exact = {};
 };
 
@@ -44,12 +45,12 @@ struct Attribute {
   std::uint32_t carry = TALWEG_CARRY_LINEAR;
   double fill = 0;
   std::uint32_t columns = 1;
-  std::vector<double> values;                         ///< rows side by side
-  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of shared entries; else empty
-  std::uint32_t type = TALWEG_FLOAT64;                ///< out: of the numbers that came
+  std::vector<double> values;                         ///< dense rows
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< for shared entries; otherwise empty
+  std::uint32_t type = TALWEG_FLOAT64;                ///< result: type of the plugin's numbers
 };
 
-/// Where a mesh that a run gave comes from; as talweg_origin.
+/// The origin of a mesh that a run made; as talweg_origin.
 struct Origin {
   std::vector<std::array<std::uint32_t, 3>> vertices;
   std::vector<std::array<double, 3>> weights;
@@ -58,7 +59,7 @@ struct Origin {
   std::vector<std::array<std::uint32_t, 3>> chains;
 };
 
-/// What a cut changes; as talweg_cut_plan.
+/// The changes that a cut makes; as talweg_cut_plan.
 struct CutPlan {
   std::uint64_t vertex_count = 0, triangle_count = 0;
   std::vector<std::array<std::uint32_t, 3>> vertices;

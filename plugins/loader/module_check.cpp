@@ -13,7 +13,7 @@ std::string version_text(std::uint32_t major, std::uint32_t minor) {
 
 bool empty(const char* text) { return text == nullptr || *text == '\0'; }
 
-/// Whether the text has only letters that are safe in command lines, files and scripts.
+/// Whether the text has only letters that are safe in command lines, file names and scripts.
 bool is_id(const char* text, const char* more) {
   if (empty(text)) return false;
   for (const char* c = text; *c != '\0'; ++c) {

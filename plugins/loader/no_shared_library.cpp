@@ -1,4 +1,4 @@
-// Where programs cannot load libraries, plugins are linked in.
+// For systems that cannot load libraries: plugins are linked into the program.
 #include <stdexcept>
 
 #include "shared_library.hpp"

@@ -1,4 +1,4 @@
-// The search path is where plugins are looked for (talweg_loader.h).
+// The search path: the folders with plugins (talweg_loader.h).
 #pragma once
 
 #include <string>

@@ -44,8 +44,8 @@ void check_complete(const std::string& path) {
   if (!complete) refuse("The library is not complete: the file ends too early.");
 }
 
-/// dlopen() and dlclose() synchronise threads, but the thread sanitizer does not see it for what a
-/// library creates when it is loaded and destroys when it is unloaded.
+/// dlopen() and dlclose() synchronise threads. The thread sanitizer does not know this for objects
+/// that a library creates when it is loaded and destroys when it is unloaded.
 std::mutex& loading() {
   static std::mutex mutex;
   return mutex;

@@ -1,4 +1,4 @@
-// A shared library is loaded as long as its object lives.
+// A shared library, loaded as long as its object lives.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@ namespace talweg::loader {
 
 class SharedLibrary {
  public:
-  /// Throws std::runtime_error with one sentence that says why the file cannot be loaded: it is not
-  /// a library, is for another kind of machine, is truncated, or needs something that is missing.
+  /// Throws std::runtime_error with one sentence on why the file cannot be loaded: the file is no
+  /// library, is for another kind of machine, is truncated, or needs a library that is missing.
   explicit SharedLibrary(const std::string& path);
   ~SharedLibrary();
   SharedLibrary(SharedLibrary&& other) noexcept : handle_(other.handle_) {

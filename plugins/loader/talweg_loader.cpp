@@ -60,11 +60,11 @@ void talweg_loader::look_at(const std::string& path) {
     return;
   }
   talweg_plugin_entry_function entry = nullptr;
-  std::memcpy(&entry, &symbol, sizeof entry);  // POSIX gives a data pointer
+  std::memcpy(&entry, &symbol, sizeof entry);  // POSIX returns a data pointer
   if (take(entry, path)) libraries.push_back(std::move(library));
 }
 
-/// Whether a plugin of the module is used.
+/// Whether the loader uses a plugin of the module.
 bool talweg_loader::take(talweg_plugin_entry_function entry, const std::string& path) {
   const talweg_module* module = entry(TALWEG_INTERFACE_MAJOR, TALWEG_INTERFACE_MINOR);
   const std::string why =
@@ -92,7 +92,7 @@ bool talweg_loader::take(talweg_plugin_entry_function entry, const std::string& 
 
 namespace {
 
-/// `folders` gives the list, which takes memory, too.
+/// `folders` is a function that returns the list, since making the list may run out of memory, too.
 template <class Folders>
 talweg_loader* opened(const talweg_linked_module* modules, std::uint64_t count, Folders folders) {
   try {

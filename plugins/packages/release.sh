@@ -15,7 +15,7 @@ SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git -C "$project" log -1 --format=%ct 2
 export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
 umask 022
 
-suitesparse() { # its sources, by apt, with lists of our own
+suitesparse() { # SuiteSparse's sources, by apt, with lists in a folder of this script
   local apt=$work/apt
   [[ ! -d $work/sources/suitesparse-5.12.0+dfsg ]] || return 0
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$work/sources"
@@ -28,7 +28,7 @@ suitesparse() { # its sources, by apt, with lists of our own
     { tail -n 10 "$work/sources.log" >&2; exit 1; }
 }
 
-# packed FOLDER FILE: with the same bytes for the same files.
+# packed FOLDER FILE: an archive with the same bytes for the same files.
 packed() {
   tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu \
     -C "$(dirname "$1")" -cf - "$(basename "$1")" | gzip -9n >"$2"
@@ -74,13 +74,13 @@ blender() { # the add-on, with the plugins that run anywhere
   find "$stage" -name __pycache__ -prune -exec rm -rf {} +
   cp -r "$work/portable/tree/lib/talweg/plugins" "$addon/talweg/plugins"
   cp "$project/LICENSE" "$addon"
-  mkdir -p "$addon/page/pictures" # what its help button shows
+  mkdir -p "$addon/page/pictures" # the page that the help button opens
   cp "$project/docs/blender.md" "$addon/page"
   cp "$project"/docs/pictures/blender*.png "$addon/page/pictures"
   python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
 }
 
-# The filters for ParaView on this kind of system, and the plugins that run anywhere.
+# The filters for ParaView on this kind of system, with the portable plugins.
 paraview() {
   local build=$work/paraview tree=$work/talweg-paraview-$version log=$work/paraview.log
   if ! ls /usr/lib/*/cmake/paraview-*/paraview-config.cmake >/dev/null 2>&1; then
@@ -102,12 +102,12 @@ paraview() {
   packed "$tree" "$out/talweg-$version-$paraview-debian-x86_64.tar.gz"
 }
 
-# Debian packages, for the system that is here.
+# Debian packages for the system of this machine.
 debian() {
   local build=$work/debian log=$work/debian.log
   local flags="-ffile-prefix-map=$project=. -ffile-prefix-map=$work=build"
   rm -rf "$build/packages"
-  # A run path that is taken away leaves space of its length, so it must not depend on the folder.
+  # A removed run path leaves space of its length, so the length must not depend on the folder.
   { cmake --preset package -S "$project" -B "$build" -DCMAKE_CXX_FLAGS="$flags" \
       -DCMAKE_BUILD_RPATH_USE_ORIGIN=ON &&
     cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" &&

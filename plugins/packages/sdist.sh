@@ -1,5 +1,5 @@
 #!/bin/sh
-# sdist.sh OUT: the source distribution for pip, OUT/talweg-VERSION.tar.gz, with the same bytes for the
+# sdist.sh OUT: makes the source distribution for pip, OUT/talweg-VERSION.tar.gz, with the same bytes for the
 # same files and SOURCE_DATE_EPOCH. Needs python3-setuptools and python3-wheel.
 set -eu
 project=$(cd "$(dirname "$0")/../.." && pwd)
@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 seconds=${SOURCE_DATE_EPOCH:-$(git -C "$project" log -1 --format=%ct 2>/dev/null || date +%s)}
 
-# A tree of its own, since setuptools leaves its notes where it works.
+# Works on a copy of the tree, since setuptools writes files into it.
 mkdir -p "$work/tree/plugins/hosts"
 for part in CMakeLists.txt LICENSE CHANGELOG.md intrinsic heat core; do
   ln -s "$project/$part" "$work/tree"

@@ -15,7 +15,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 BROWSER = PROJECT / "plugins/hosts/browser"
 
-# What is compiled into what is given away, by the package that it is taken from: (name, licence).
+# Parts that are compiled into released files, by the package that they come from: (name, licence).
 HOST = {"g++-12": ("libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1"),
         "libopenmesh-dev": ("OpenMesh", "BSD-3-Clause"),
         "libeigen3-dev": ("Eigen", "MPL-2.0"),
@@ -27,7 +27,7 @@ HOST = {"g++-12": ("libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-
         "libfast-float-dev": ("fast_float", "Apache-2.0 OR MIT"),
         "emscripten": ("libc++, compiler-rt, musl and dlmalloc of Emscripten",
                        "MIT AND Apache-2.0 WITH LLVM-exception AND CC0-1.0"),
-        # The Debian packages use it, and have none of it inside.
+        # The Debian packages use this library, and do not contain it.
         "libcholmod3": ("CHOLMOD with its supernodal module", "GPL-2.0-or-later")}
 ROOT = {"libgcc-10-dev": ("unwinder of libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1"),
         "zlib1g-dev": ("zlib", "Zlib"),
@@ -46,7 +46,7 @@ PAGE = [*HEADERS, "libfmt-dev", "libfast-float-dev", "emscripten", "pugixml", "z
 
 
 def inside(name):
-    """What the file of this name has inside."""
+    """The parts in the file of this name."""
     if name.startswith("talweg-page-"):
         return PAGE
     if name.endswith("_amd64.deb"):
@@ -55,7 +55,7 @@ def inside(name):
         return [*PLUGINS, *PROGRAM, "libpng-dev"]
     if name.endswith(".whl") or "blender" in name or "paraview" in name:
         return PLUGINS
-    return []  # sources, Python
+    return []  # sources and Python packages contain no others' parts
 
 
 def debian_version(package, root="/"):
@@ -65,7 +65,7 @@ def debian_version(package, root="/"):
 
 
 def source_version(name):
-    """Of what is compiled from Debian's sources, as the scripts name them."""
+    """The version of a part that is compiled from Debian's sources, read from the scripts."""
     files = {"suitesparse": PROJECT / "plugins/packages/release.sh",
              "zlib": BROWSER / "cmake/FindZLIB.cmake", "pugixml": BROWSER / "cmake/Findpugixml.cmake"}
     return re.search(rf"{name}[_-]([0-9.]*[0-9])", files[name].read_text())[1]

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""wheel_tag.py FILE...: the oldest glibc on which these programs and libraries run, by their symbols,
-as a wheel's tag (manylinux_2_31_x86_64). Fails where one needs a library that is neither glibc's nor
-beside it, looks for libraries elsewhere than near itself, or names a file of this checkout."""
+"""wheel_tag.py FILE...: prints the oldest glibc with which these programs and libraries run, found by their
+symbols, as a wheel's tag (manylinux_2_31_x86_64). Fails if one needs a library that is neither glibc's nor
+beside it, searches libraries in folders outside its own tree, or contains the name of a file of this
+checkout."""
 
 import os
 import re
@@ -15,7 +16,7 @@ MACHINES = {"X86-64": "x86_64", "AArch64": "aarch64"}
 
 
 def problems(dynamic, bundled):
-    """What `readelf -d` tells that no other machine may have."""
+    """Entries of `readelf -d` that would fail on another machine."""
     needed = re.findall(r"\(NEEDED\).*\[(.+)\]", dynamic)
     found = [f"needs {name}" for name in needed if name not in GLIBC and name not in bundled]
     for path in re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", dynamic):
@@ -25,13 +26,13 @@ def problems(dynamic, bundled):
 
 
 def files_named(data, folder):
-    """Paths in the folder that stand in a program: they differ from checkout to checkout."""
+    """Paths of the folder in a program's bytes, which would differ from checkout to checkout."""
     start = rb"(?<![\w./-])" + re.escape(os.fsencode(folder)) + rb"/[\x21-\x7e]*"
     return [f"names {os.fsdecode(found)}" for found in re.findall(start, data)]
 
 
 def newest_glibc(versions):
-    """(major, minor) of the newest symbol's version in what `readelf -V` tells."""
+    """(major, minor) of the newest symbol version in the output of `readelf -V`."""
     found = re.findall(r"\bGLIBC_(\d+)\.(\d+)", versions)
     return max(((int(a), int(b)) for a, b in found), default=(2, 5))
 

@@ -1,5 +1,6 @@
-"""dask_test.py EXAMPLES FOLDER: docs/examples/dask_curves.py on 1,000 curves on 50 meshes of FOLDER, a
-worker killed meanwhile: every curve once in the table, and the files those of a run without dask."""
+"""dask_test.py EXAMPLES FOLDER: runs docs/examples/dask_curves.py on 1,000 curves on 50 meshes of FOLDER, and
+kills a worker meanwhile. The table must have every curve once, and the files must equal those of a run
+without dask."""
 
 import collections
 import os
@@ -20,20 +21,20 @@ MESHES, CURVES = 50, 20
 
 
 def drawings(mesh, seed):
-    """Lines between vertices chosen at random, 20 a mesh."""
+    """Lines between random vertices, 20 on each mesh."""
     random = np.random.default_rng(seed)
     drawn = []
     while len(drawn) < CURVES:
         ends = random.integers(len(mesh.vertices), size=2)
         try:
             drawn.append(mesh.draw(ends.tolist()))
-        except talweg.Error:  # the same vertex twice
+        except talweg.Error:  # both ends are the same vertex
             pass
     return drawn
 
 
 def kill_one(cluster, results):
-    """A worker, as soon as something is done."""
+    """Kills a worker as soon as there are some results."""
     while len(list(results.glob("*.vtp"))) < 5:
         time.sleep(0.02)
     victim = next(iter(cluster.workers.values())).process.pid

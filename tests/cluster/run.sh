@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# run.sh BIN SOURCE FOLDER: what docs/many.md says of clusters, done on one: Slurm's job array and the
-# job that depends on it, Snakemake with Slurm, dask. Tasks, nodes and workers are killed meanwhile, and
-# every file must be that of `talweg smooth --batch`. As root; takes minutes. Not part of CI.
+# run.sh BIN SOURCE FOLDER: runs the examples of docs/many.md on a cluster: Slurm's job array with a dependent
+# job, Snakemake with Slurm, dask. Tasks, nodes and workers are killed meanwhile, and every file must equal
+# that of `talweg smooth --batch`. Needs root; takes minutes. Not part of CI.
 set -euo pipefail
 bin=$1 source=$2 folder=$3
 here=$(dirname "$(realpath "$0")")
@@ -34,7 +34,7 @@ compare_with_batch() { # compare_with_batch WHAT FOLDER TABLE
   for name in batch/*.vtp; do
     cmp "$name" "$2/${name#batch/}" || fail "$1: ${name#batch/} is not that of --batch"
   done
-  # Without `line`, which counts the lines of another table.
+  # Without the column `line`, which has the line in another table.
   diff <(cut -d , -f 2- batch.csv | sort) <(cut -d , -f 2- "$3" | sort) >/dev/null ||
     fail "$1: the table is not that of --batch"
   say "$1: $(find "$2" -name '*.vtp' | wc -l) files and the table are those of --batch"
@@ -42,7 +42,7 @@ compare_with_batch() { # compare_with_batch WHAT FOLDER TABLE
 
 some_rows_of() { [[ $(cat slurm/"$1".csv.part 2>/dev/null | wc -l) -gt 10 ]]; }
 
-# A task that runs on the node and has done something.
+# A task that runs on the node and has written results.
 task_on() {
   local task
   for task in $(squeue -h -t running -w "$1" -o %K); do

@@ -1,7 +1,7 @@
-# Sourced: a Slurm cluster of two nodes on this machine, as root, in the folder $cluster. Its programs
-# end with the shell that starts it.
+# Sourced: a Slurm cluster of two nodes on this machine, as root, in the folder $cluster. Its programs end
+# with the shell that starts the cluster.
 
-# Two nodes with a core each: `slurmd -N` plays several on one machine.
+# Two nodes with a core each: `slurmd -N` simulates several on one machine.
 slurm_conf() {
   cat <<CONF
 ClusterName=talweg
@@ -36,7 +36,7 @@ start_munge() {
   dd if=/dev/urandom of="$folder/key" bs=1 count=1024 2>/dev/null
   chmod 600 "$folder/key"
   chown -R munge: "$folder"
-  # --force: it would rather have folders that nobody else can write into.
+  # --force: otherwise munged refuses folders that other users can write into.
   runuser -u munge -- /usr/sbin/munged --force --socket="$folder/socket" \
     --key-file="$folder/key" --pid-file="$folder/pid" --log-file="$folder/log" \
     --seed-file="$folder/seed" 2>/dev/null
@@ -66,7 +66,7 @@ stop_slurm() {
   done
 }
 
-# As if its power went: the node's daemon, those of its steps, and what they have started.
+# Simulates a power failure: kills the node's daemon, the daemons of its steps, and all their children.
 kill_node() {
   local process
   kill -KILL "$(<"$cluster/$1.pid")"
@@ -90,5 +90,5 @@ wait_for() {
   done
 }
 
-# Whether all its tasks have left the queue.
+# Whether all tasks of the job have left the queue.
 job_is_over() { [[ -z $(squeue -h -j "$1" 2>/dev/null) ]]; }

@@ -1,4 +1,4 @@
-# What both consumers expect of the targets. Each layer links on its own.
+# Checks of the targets by both consumers. Each layer links on its own.
 file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/layer.cpp "int main() {}\n")
 foreach(layer intrinsic heat core)
   foreach(property INTERFACE_COMPILE_OPTIONS INTERFACE_COMPILE_DEFINITIONS INTERFACE_LINK_OPTIONS)

@@ -1,4 +1,4 @@
-// An OpenMesh tool that smooths a curve on its own meshes, whatever their traits.
+// An OpenMesh tool that smooths a curve on its own meshes, of any traits.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +11,7 @@
 constexpr int kCells = 8;
 
 struct DoublePoints : OpenMesh::DefaultTraits {
-  using Point = OpenMesh::Vec3d;  // normals stay single
+  using Point = OpenMesh::Vec3d;  // normals stay in single precision
 };
 
 /// A flat square of kCells x kCells cells; its diagonal is no mesh edge.
@@ -35,7 +35,7 @@ Mesh square() {
 template <class Mesh>
 double smoothed_length(const Mesh& mesh, double tau) {
   talweg::CurveSmoother smoother(talweg::OpenedMesh::open(talweg::surface_of(mesh)));
-  std::vector<talweg::VertexId> stairs;  // from corner to corner
+  std::vector<talweg::VertexId> stairs;  // along edges, from corner to corner
   for (std::size_t i = 0; i <= kCells; ++i) {
     stairs.emplace_back(i * (kCells + 1) + i);
     if (i < kCells) stairs.emplace_back(i * (kCells + 1) + i + 1);

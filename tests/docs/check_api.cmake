@@ -1,6 +1,6 @@
-# check_api(page problems names): what talweg/talweg.hpp and talweg/openmesh.hpp name behind their
-# includes is what the page's tables list in their first column, and the other way round; and few
-# headers are installed. Gives the names.
+# check_api(page problems names): the names that talweg/talweg.hpp and talweg/openmesh.hpp list after their
+# includes must equal the names in the first columns of the page's tables; the number of installed headers is
+# limited. Returns the names.
 include(${PROJECT_SOURCE_DIR}/core/cmake/front_headers.cmake)
 
 function(check_api page problems_var names_var)

@@ -1,4 +1,4 @@
-# Links of a Markdown file to other files of the project.
+# Checks links of a Markdown file to other files of the project.
 
 # check_links(MARKDOWN PROBLEMS): PROBLEMS is a list variable that is appended to.
 function(check_links markdown problems_variable)
@@ -7,7 +7,7 @@ function(check_links markdown problems_variable)
   file(READ ${markdown} text)
   string(REGEX REPLACE "\n```[^`]*\n```" "" text "${text}")
   string(REPLACE "](" "\nlink:" text "${text}")
-  string(REGEX REPLACE "[][;]" "" text "${text}")  # CMake's lists would stumble over them
+  string(REGEX REPLACE "[][;]" "" text "${text}")  # brackets and semicolons would break CMake's lists
   string(REGEX MATCHALL "\nlink:[^)# \n]+" links "${text}")
   set(problems ${${problems_variable}})
   foreach(link ${links})

@@ -1,4 +1,4 @@
-# The programs of docs/examples on the sandbox's files.
+# Runs the programs of docs/examples on the sandbox's files.
 set -eu -o pipefail
 talweg draw vessel.ply --through 12,845,9001 -o drawn.json
 
@@ -11,7 +11,7 @@ grep 'missing.json' error.txt
 tau_sweep vessel.ply drawn.json | tee table.txt
 test "$(grep -c converged table.txt)" = 10
 
-# A host in C and the driver write the same bytes.
+# A host in C writes the same bytes as the driver.
 talweg draw vessel.ply --through 12,845,9001 -o drawn.txt
 plugin_host mesh.obj drawn.txt host.json 0.5 2 | tee host.txt
 test "$(grep -c 'termination: converged' host.txt)" = 2
@@ -20,7 +20,7 @@ cmp host.json driver.json
 if plugin_host mesh.obj drawn.txt host.json -1 2>error.txt; then exit 1; fi
 grep 'Tau (tau) must be >= 0' error.txt
 
-# A plugin of somebody else's, found where the variable says.
+# A plugin outside Talweg, found by the variable.
 TALWEG_PLUGIN_PATH=$(dirname "$(command -v talweg)")/example_plugins
 export TALWEG_PLUGIN_PATH
 talweg plugins | grep 'example.height'
@@ -30,7 +30,7 @@ grep -c . height.txt >count.txt
 test "$(cat count.txt)" = "$(grep -c '^v ' mesh.obj)"
 test "$(nm -D --defined-only "$TALWEG_PLUGIN_PATH/height_plugin.so" | grep -c ' T ')" = 1
 
-# One made with OpenMesh: a twentieth of the faces, and the curve's faces are still there.
+# A plugin with OpenMesh: it leaves a twentieth of the faces, and keeps the curve's faces.
 talweg run example.decimate --help | grep -- '--share'
 talweg run example.decimate mesh.obj --curve drawn.txt --share 0.05 --write-mesh small.ply --map map.json \
   --report decimated.json
@@ -56,7 +56,7 @@ printf '0\n1\n2.5\n' | openmesh_slider mesh.obj 12 845 slider.om | tee slider.tx
 test "$(grep -c '^tau' slider.txt)" = 3
 talweg info slider.om | grep usable
 
-# A host made with OpenMesh, in single precision.
+# A host with OpenMesh, in single precision.
 unset TALWEG_PLUGIN_PATH
 openmesh_host mesh.obj 12 845 2 | tee faces.txt
 test "$(grep -c 'from the drawing' faces.txt)" -gt 10

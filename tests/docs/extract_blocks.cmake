@@ -1,6 +1,5 @@
-# Takes the code blocks out of a Markdown file, so that they can be compiled and run.
-#
-# What happens to a block is told by its language, and by a comment on the line before it:
+# Extracts the code blocks of a Markdown file, to compile and run them. The treatment of a block depends on
+# its language, and on a comment on the line before it:
 #
 #   cpp                          a function body in OUT.cpp, behind PRELUDE
 #   sh                           run by OUT.sh, in the order of the file
@@ -12,7 +11,7 @@
 #                                python block, where the module is
 #   <!-- not run: REASON -->     nothing, for that reason
 #
-# Everything else is a problem, told in one line.
+# Every other block is a problem, reported in one line.
 
 # extract_blocks(MARKDOWN OUT PRELUDE PROBLEMS): PROBLEMS is a list variable that is appended to.
 function(extract_blocks markdown out prelude problems_variable)

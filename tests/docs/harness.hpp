@@ -1,7 +1,7 @@
-// The harness is what the C++ blocks of the docs find around them.
+// The harness: code around the C++ blocks of the docs.
 #pragma once
 
-#undef NDEBUG  // their assertions count in every build
+#undef NDEBUG  // assertions of the blocks count in every build
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -44,7 +44,7 @@ inline talweg::VertexId at(std::size_t column, std::size_t row) {
   return talweg::VertexId{row * (kCells + 1) + column};
 }
 
-/// From corner to corner in steps along the edges.
+/// A path from corner to corner in steps along the edges.
 inline std::vector<talweg::VertexId> stairs() {
   std::vector<talweg::VertexId> path;
   for (std::size_t i = 1; i < kCells; ++i) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""messages.py [FOLDER...]: every sentence that users may see, as a Markdown list, by source file.
+"""messages.py [FOLDER...]: prints all sentences for users as a Markdown list, by source file.
 
 A sentence is a string literal of at least four words in the sources of the libraries, the driver and the
-hosts; literals that are added up are joined, and {} stands for a value. Comments, docstrings and includes are left
-out. The list is for reading, one by one: what happened, where, what to do.
+hosts; concatenated literals are joined, and {} stands for a value. Comments, docstrings and includes are left
+out. A reader checks each sentence: it must say what happened, where, and what to do.
 """
 
 import ast
@@ -23,11 +23,11 @@ ADDED = re.compile(r"\s*\+[^;,\"{}?]{1,120}?\+\s*")
 
 
 def of_c(source):
-    """Line and text of the string literals of C++ or TypeScript; adjacent ones are one."""
+    """(line, text) of the string literals of C++ or TypeScript; adjacent literals are joined."""
     found, end = [], -1
     for match in COMMENT_OR_STRING.finditer(source):
         text = match["raw"] or match["text"] or (match["tick"] or "")[1:-1]
-        if match[0][0] == "'" and len(match[0]) > 4:  # TypeScript's
+        if match[0][0] == "'" and len(match[0]) > 4:  # TypeScript's quotes
             text = match[0][1:-1]
         if not text:
             continue

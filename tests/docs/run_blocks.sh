@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# run_blocks.sh BIN PREFIX SCRIPT FILES FOLDER: runs a script in an empty folder that holds some
-# meshes and curves and the contents of FILES, with Talweg's programs in the path and the package
-# in ~/talweg.
+# run_blocks.sh BIN PREFIX SCRIPT FILES FOLDER: runs a script in an empty folder with some meshes and curves
+# and the contents of FILES, with Talweg's programs in the path and the package in ~/talweg.
 set -eu
 bin=$1 prefix=$2 script=$3 files=$4 folder=$5
 

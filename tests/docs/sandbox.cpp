@@ -1,4 +1,4 @@
-// What the commands of the docs work on: meshes and curves in the current folder.
+// Makes the input of the docs' commands: meshes and curves in the current folder.
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -47,7 +47,8 @@ int main() {
   const talweg::MeshLists vessel = torus(100);
   talweg::write_mesh("vessel.ply", vessel);
   talweg::write_mesh("mesh.obj", vessel);
-  std::ofstream distance("distance.txt");  // to the circle around the hole through vertex 0
+  std::ofstream distance("distance.txt");  // distance to the circle around the hole through vertex
+                                           // 0
   for (const talweg::Point& p : vessel.points) {
     distance << std::abs(std::atan2(p[2], std::hypot(p[0], p[1]) - 3)) << '\n';
   }

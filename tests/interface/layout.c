@@ -1,4 +1,4 @@
-/* Where every member lies, for good: on machines with 64-bit pointers. */
+/* The offset of every member, which must never change: on machines with 64-bit pointers. */
 #include <stddef.h>
 
 #include "talweg/plugin/talweg_cut_plan.h"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# layout.sh SOURCES INCLUDE FOLDER: layout.c holds, in C and in C++, with every compiler there is.
+# layout.sh SOURCES INCLUDE FOLDER: compiles the assertions of layout.c, in C and in C++, with every available
+# compiler.
 set -eu
 for compiler in gcc clang; do
   command -v $compiler >/dev/null || continue

@@ -1,4 +1,4 @@
-/* Makes an instance of every plugin and lists it; what was refused goes to stderr. */
+/* Makes an instance of every plugin and lists the plugins; refused files go to stderr. */
 #include <stdio.h>
 
 #include "talweg/loader/talweg_loader.h"

@@ -1,5 +1,5 @@
-// set_mesh copies the host's arrays once: counts the memory blocks of their sizes. A program of its
-// own, because it replaces operator new for plugins, too.
+// set_mesh copies the host's arrays once: counts the memory blocks of their sizes. A separate
+// program, because it replaces operator new for plugins, too.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -20,7 +20,8 @@ constexpr std::size_t kPositions = (kSize + 1) * (kSize + 1) * 3 * sizeof(double
 constexpr std::size_t kTriangles = kSize * kSize * 6 * sizeof(std::uint32_t);
 int g_positions = 0, g_triangles = 0;
 
-/// Blocks of the triangles' size that opening makes of lists that are given away: its own arrays.
+/// Blocks of the triangles' size that opening a mesh allocates for its own arrays, when it takes
+/// over the lists.
 int blocks_of_opening(const std::vector<double>& xyz, const std::vector<std::uint32_t>& triangles) {
   talweg::MeshLists lists;
   for (std::size_t k = 0; k < xyz.size(); k += 3) lists.points.emplace_back(&xyz[k]);
@@ -32,7 +33,7 @@ int blocks_of_opening(const std::vector<double>& xyz, const std::vector<std::uin
   return g_triangles;
 }
 
-/// Such a plugin opens no mesh.
+/// Whether the plugin takes any mesh, and so opens none.
 bool takes_any_mesh(const talweg_plugin& plugin) {
   const auto* meshes = static_cast<const talweg_meshes*>(plugin.get_extension(TALWEG_MESHES));
   return meshes != nullptr && (meshes->takes & TALWEG_TAKES_ANY_MESH) != 0;

@@ -1,5 +1,5 @@
-# Every include of the sources is found by the folders in compile_flags.txt, which clangd reads where
-# nothing is configured. ParaView's sources include ParaView's and generated headers.
+# Every include of the sources must be found in the folders of compile_flags.txt, which clangd reads in a
+# checkout that is not configured. ParaView's sources include ParaView's and generated headers.
 file(STRINGS ${ROOT}/compile_flags.txt folders REGEX "^-I[^/]")
 cmake_minimum_required(VERSION 3.25)
 list(TRANSFORM folders REPLACE "^-I" "${ROOT}/")

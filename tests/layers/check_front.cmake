@@ -1,7 +1,7 @@
-# Tests of drawing, fairing, lifting and smoothing go through the front door: of the library they include
-# talweg/talweg.hpp only, so that they hold whatever is behind it. The test of an algorithm with a
-# contract of its own includes that algorithm's header, too, and results are measured by instruments with
-# such a contract. cmake -D ROOT=project -P check_front.cmake
+# Tests of drawing, fairing, lifting and smoothing use the front door: of the library they include only
+# talweg/talweg.hpp, so that they stay valid when the code behind it changes. A test of an algorithm with its
+# own contract also includes the algorithm's header; so do tests that use such an algorithm to measure
+# results. cmake -D ROOT=project -P check_front.cmake
 cmake_minimum_required(VERSION 3.25)
 set(algorithms
   drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs
@@ -15,7 +15,7 @@ set(algorithms
   smoothing/refined_mesh lifting/relaxation lifting/touched_edges
   smoothing/unrolled_mesh drawing/straight_lines)
 set(instruments core/drawing/crossings intrinsic/exact_distance/polyline_distance)
-# What such a test needs to make the algorithm's input, or to compare with.
+# Headers that such a test needs to make the algorithm's input, or to compare with.
 set(drawing/curve_embedding_needs intrinsic/flips/signpost_triangulation)
 set(drawing/edge_landmarks_needs core/drawing/edge_dijkstra core/mesh/surface_mesh)
 set(drawing/path_contacts_needs core/drawing/curve_embedding intrinsic/flips/signpost_triangulation)

@@ -1,6 +1,6 @@
-# Rejects includes that point up: plugins -> core -> heat -> intrinsic, and within a layer from a room
-# to one that comes after it here. What stands at a layer's top is below all its rooms.
-# cmake -D ROOT=project -P check_layers.cmake
+# Rejects includes that point up: plugins -> core -> heat -> intrinsic, and within a layer from a room to a
+# later room of this list. Files at a layer's top are below all its rooms. cmake -D ROOT=project -P
+# check_layers.cmake
 cmake_minimum_required(VERSION 3.25)
 set(intrinsic_may intrinsic)
 set(heat_may heat intrinsic)
@@ -8,8 +8,8 @@ set(core_may core heat intrinsic)
 set(plugins_may plugin loader editing core heat intrinsic)
 set(intrinsic_rooms surface lines flips exact_distance)
 set(core_rooms space mesh measure drawing fairing strokes ridges lifting smoothing repair io cutting offset labels openmesh front)
-# Headers that have a home: a regular expression and the files that may include it. What a plugin or
-# host of somebody else's includes has nothing of ours.
+# Headers with restricted use: a regular expression, and the files that may include them. Headers for plugins
+# and hosts by others include no header of the library.
 set(homes "cholmod\\.h@^heat/cholesky_factor\\.cpp$"
           "^OpenMesh/@^(core/openmesh/|plugins/interface/talweg_([a-z]+_)?openmesh[a-z_]*\\.hpp$)"
           "^talweg/@^(intrinsic|heat|core)/|^plugins/(driver|editing|hosts|loader|methods|tools)/")
@@ -19,7 +19,7 @@ set(looked 0)
 foreach(layer intrinsic heat core plugins)
   file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${layer}/*.[ch] ${ROOT}/${layer}/*.[ch]pp
        ${ROOT}/${layer}/*.hh)
-  list(FILTER files EXCLUDE REGEX "/node_modules/")  # what ./run page has installed
+  list(FILTER files EXCLUDE REGEX "/node_modules/")  # packages that ./run page has installed
   foreach(file IN LISTS files)
     math(EXPR looked "${looked} + 1")
     set(height -1)
@@ -41,7 +41,7 @@ foreach(layer intrinsic heat core plugins)
           string(APPEND wrong "  ${file} includes ${header}, of a room above\n")
         endif()
       endif()
-      # Between layers only the full name: a relative one would hide the direction.
+      # Includes between layers need the full name: a relative path would hide the direction.
       if(header MATCHES "\\.\\./" OR (NOT layer STREQUAL "plugins" AND line MATCHES "\""
                                       AND NOT header MATCHES "^talweg/"))
         string(APPEND wrong "  ${file} includes ${header}, which is not spelled talweg/...\n")

@@ -1,12 +1,12 @@
-# Rejects what emscripten's standard library (libc++ 13) does not have, in all that the page is made of:
-# it would be found only where the page is built. cmake -D ROOT=project -P check_library.cmake
+# Rejects functions that emscripten's standard library (libc++ 13) does not have, in all sources of the page.
+# Otherwise only a build of the page would find them. cmake -D ROOT=project -P check_library.cmake
 cmake_minimum_required(VERSION 3.25)
 set(missing "std::(ranges::|bit_cast|from_chars\\(|format\\(|jthread|source_location)")
 set(wrong "")
 set(looked 0)
 foreach(folder intrinsic heat core plugins/loader plugins/editing plugins/methods plugins/hosts/browser/engine)
   file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${folder}/*.[ch]pp)
-  # Numbers in text have a substitute there; OpenMesh's headers are for programs with an OpenMesh.
+  # Numbers in text have a substitute in this file; OpenMesh's headers are not part of the page.
   list(FILTER files EXCLUDE REGEX "^core/(io/number_text\\.hpp|openmesh/)")
   foreach(file IN LISTS files)
     math(EXPR looked "${looked} + 1")

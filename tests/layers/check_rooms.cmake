@@ -1,5 +1,5 @@
-# The table of folders in docs/development/architecture.md is the tree: every room is in it, and every folder in it is there.
-# cmake -D ROOT=project -P check_rooms.cmake
+# The table of folders in docs/development/architecture.md must equal the tree: it has every room, and every
+# folder in it exists. cmake -D ROOT=project -P check_rooms.cmake
 cmake_minimum_required(VERSION 3.25)
 file(READ ${ROOT}/docs/development/architecture.md page)
 set(wrong "")

@@ -1,5 +1,5 @@
-# check_layers.cmake must see each of these, planted into a tree of its own.
-# cmake -D CHECK=check_layers.cmake -D FOLDER=scratch -P check_the_check.cmake
+# check_layers.cmake must find each of these violations, planted into a separate tree. cmake -D
+# CHECK=check_layers.cmake -D FOLDER=scratch -P check_the_check.cmake
 function(expect outcome file line)
   file(REMOVE_RECURSE ${FOLDER})
   file(WRITE ${FOLDER}/${file} "#pragma once\n${line}\n")

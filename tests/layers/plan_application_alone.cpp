@@ -1,4 +1,4 @@
-// Compiles with OpenMesh and the headers of core/openmesh alone, for meshes of any traits.
+// Compiles with only OpenMesh and the headers of core/openmesh, for meshes of any traits.
 #include "talweg/core/openmesh/plan_application.hpp"
 
 struct AnyTraits : OpenMesh::DefaultTraits {

@@ -1,6 +1,5 @@
-"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and
-connectome-workbench, in the driver and in Python; and what the driver writes, seen by these
-programs."""
+"""borders.py FOLDER: labels of a cortex and their borders, written by nibabel and connectome-workbench, read
+by the driver and by Python; and the driver's files, read by these programs."""
 
 import json
 import sys
@@ -17,7 +16,7 @@ COLORS = [(0.2, 0, 0.2, 0), (1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1)]  # black i
 
 
 def write_inputs(folder):
-    """A cortex, the same inflated, and its labels in each format. :raises Missing: without nibabel."""
+    """Writes a cortex, the same inflated, and its labels in each format. :raises Missing: without nibabel."""
     try:
         import nibabel as nib
         import nibabel.freesurfer as fs
@@ -44,7 +43,7 @@ def write_inputs(folder):
 
 
 def check_labels(folder):
-    """The same borders from each file of labels; and new labels that nibabel reads."""
+    """Each file of labels gives the same borders; nibabel reads the new labels."""
     import nibabel as nib
     import nibabel.freesurfer as fs
     files = ("labels.txt", "lh.label.gii", "lh.areas.annot")
@@ -70,19 +69,19 @@ def check_labels(folder):
 
 
 def lengths_by_workbench(folder, border, surface):
-    """By the border's name; several parts of one border are added."""
+    """The lengths by the borders' names; several parts of a border are summed."""
     told = makers.ran("wb_command", "-border-length", border, surface, folder=folder)
     return dict(line.rsplit(": ", 1) for line in told.strip().splitlines())
 
 
 def length(folder, border, surface):
-    """The length of all its curves, by the driver."""
+    """The length of all curves of a file, by the driver."""
     driver("measure", folder / surface, folder / border, "--report", folder / "measured.json")
     return json.loads((folder / "measured.json").read_text(encoding="utf-8"))["length"]
 
 
 def check_borders(folder):
-    """What the driver writes has the same lengths in workbench, on the surface itself and inflated."""
+    """The driver's borders have the same lengths in workbench, on the surface and on the inflated one."""
     for surface in ("lh.white", "lh.inflated"):
         theirs = lengths_by_workbench(folder, "lh.smooth.border", f"{surface}.surf.gii")
         ours = length(folder, "lh.smooth.border", surface)
@@ -106,7 +105,7 @@ def positions_of(path, vertices):
 
 
 def check_theirs(folder):
-    """A border of workbench's is the drawing through the positions that it names."""
+    """A border of workbench becomes the drawing through its positions."""
     import talweg
     makers.ran("wb_command", "-label-to-border", "lh.white.surf.gii", "lh.label.gii", "lh.theirs.border",
                folder=folder)

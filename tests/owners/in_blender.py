@@ -1,4 +1,4 @@
-"""In Blender: writes the mesh of for-blender.npz by all exporters whose formats are read here."""
+"""In Blender: writes the mesh of for-blender.npz by all exporters whose formats Talweg reads."""
 
 import os
 import sys

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 HERE = Path(__file__).parent
-SIX_DIGITS = 5e-6  # of the size: what moves where coordinates are written with six digits
+SIX_DIGITS = 5e-6  # in parts of the size: the error of coordinates with six digits
 
 
 class Missing(Exception):
@@ -21,18 +21,18 @@ class Missing(Exception):
 
 
 class File:
-    """A file of the mesh, and how it lies there."""
+    """A file of the mesh, and its differences from the mesh."""
 
     def __init__(self, name, bound=1e-6, y_up=False, weld=False, beside=False):
         self.name = name
-        self.bound = bound  # of the distance from the reference, in parts of the mesh's size
+        self.bound = bound  # largest distance from the reference, in parts of the mesh's size
         self.y_up = y_up  # (x, y, z) is written as (x, z, -y)
         self.weld = weld  # triangles share no vertices in the file
-        self.beside = beside  # its numbers are in another file, which the page cannot see
+        self.beside = beside  # its numbers are in a second file, which the page cannot read
 
 
 def ran(*words, folder=None, **more):
-    """Runs a program; what it says if it fails. :raises Missing: where it is not installed."""
+    """Runs a program; a failure becomes an error with its output. :raises Missing: if it is not installed."""
     if shutil.which(words[0]) is None:
         raise Missing(f"there is no {words[0]}")
     done = subprocess.run([str(word) for word in words], cwd=folder, capture_output=True, text=True,
@@ -56,7 +56,7 @@ def nibabel(folder, mesh):
         about = {"AnatomicalStructurePrimary": "CortexLeft", "GeometricType": "Anatomical"}
         points = gifti.GiftiDataArray(vertices.astype(kind), "NIFTI_INTENT_POINTSET",
                                       meta=gifti.GiftiMetaData(about), **how)
-        # From the space of the numbers to another one: it does not move them.
+        # A transformation to another space, which must not move the points.
         points.coordsys = gifti.GiftiCoordSystem(1, 3, np.diag([1.0, 2, 3, 1]))
         corners = gifti.GiftiDataArray(faces.astype(np.int32), "NIFTI_INTENT_TRIANGLE", **how)
         gifti.GiftiImage(darrays=[points, corners]).to_filename(folder / name)
@@ -74,7 +74,7 @@ def nibabel(folder, mesh):
 
 
 def workbench(folder, mesh):
-    """The encodings of wb_command, whose input is nibabel's."""
+    """The encodings of wb_command, from nibabel's files."""
     nibabel(folder, mesh)
     files = []
     for encoding in ("ASCII", "BASE64_BINARY", "GZIP_BASE64_BINARY"):

@@ -1,4 +1,4 @@
-"""Makes the tool's icon, talweg_blender/drawing_tool/talweg.draw.dat: triangles as Blender reads them.
+"""Makes the tool's icon, talweg_blender/drawing_tool/talweg.draw.dat: the triangles that Blender draws.
 
 python3 make_icon.py FILE
 """
@@ -6,13 +6,13 @@ python3 make_icon.py FILE
 import math
 import sys
 
-#: A jagged drawing, and the smooth curve through it; the square is 255 wide, its origin at the lower left.
+#: Corners of the jagged drawing. The icon is a square 255 wide with its origin at the lower left.
 JAGGED = [(28, 60), (60, 128), (84, 86), (116, 160), (140, 116), (176, 190), (196, 150), (228, 206)]
 GREY, ROSE, WHITE = (150, 150, 150, 255), (255, 92, 150, 255), (255, 255, 255, 255)
 
 
 def smooth(count=28):
-    """From the first point of the drawing to the last: a flat S."""
+    """Points of the smooth curve, a flat S from the first point of the drawing to the last."""
     found = []
     for k in range(count + 1):
         t = k / count
@@ -21,7 +21,7 @@ def smooth(count=28):
 
 
 def thick(path, width):
-    """Triangles along a polyline."""
+    """Triangles of a strip of this width along a polyline."""
     sides = []
     for k, (x, y) in enumerate(path):
         before, after = path[max(k - 1, 0)], path[min(k + 1, len(path) - 1)]
@@ -41,7 +41,7 @@ def disc(center, radius, count=12):
 
 
 def icon():
-    """The bytes: a head, the corners of all triangles, and their colours."""
+    """The bytes of the icon: a header, the corners of all triangles, and their colours."""
     corners, colours = bytearray(), bytearray()
     for triangles, colour in ((thick(JAGGED, 11), GREY), (thick(smooth(), 20), ROSE),
                               (disc(JAGGED[0], 21), WHITE), (disc(JAGGED[-1], 21), WHITE)):

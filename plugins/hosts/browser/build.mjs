@@ -1,5 +1,5 @@
-// Builds the page into a folder: node build.mjs --engine FOLDER --out FOLDER. The first folder has what
-// the C++ side of the engine was compiled to.
+// Builds the page into a folder: node build.mjs --engine FOLDER --out FOLDER. The first folder has
+// the compiled C++ part of the engine.
 import { createHash } from 'node:crypto';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -15,7 +15,7 @@ function option(name) {
 
 const given = option('--out');
 if (!given) throw new Error('usage: node build.mjs --out FOLDER [--engine FOLDER]');
-const out = resolve(given);  // esbuild has a working folder of its own
+const out = resolve(given);  // esbuild works in another folder
 mkdirSync(out, { recursive: true });
 
 const entries = ['src/main.ts', 'src/pick/prepare_worker.ts', 'src/view/coarse_worker.ts', 'src/engine/worker.ts'];
@@ -25,12 +25,12 @@ await build({
   entryNames: '[name]',
   outdir: out,
   bundle: true,
-  splitting: true,  // what page and workers share is loaded once
+  splitting: true,  // code that page and workers share is loaded once
   chunkNames: 'shared-[hash]',
   format: 'esm',
   target: 'es2022',
   minify: true,
-  legalComments: 'none',  // licences.txt has them whole
+  legalComments: 'none',  // licences.txt has the whole licences
   logLevel: 'warning',
 });
 for (const file of ['index.html', 'style.css', 'icon.svg', 'manifest.webmanifest']) cpSync(join(here, file), join(out, file));
@@ -42,14 +42,15 @@ if (engine) {
   writeFileSync(join(out, 'talweg.js'), (await transform(script, { minify: true, target: 'es2022' })).code);
 }
 
-/** What Debian says of a package's licence: its copyright file. */
+/** The licence of a Debian package, from its copyright file. */
 function ofDebian(name) {
   const path = join('/usr/share/doc', name, 'copyright');
   if (existsSync(path)) return [`${name}\n\n${readFileSync(path, 'utf8')}`];
   throw new Error(`${path} is not there; the page gives the licence of ${name} on.`);
 }
 
-/** What is compiled into the engine: header files of this machine, and what CMake has unpacked. */
+/** The libraries in the engine: header files of this machine, and sources that CMake has
+   unpacked. */
 function inTheEngine(folder) {
   const headers = ['libopenmesh-dev', 'libeigen3-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libfast-float-dev'];
   const sources = join(folder, '../sources');
@@ -62,7 +63,7 @@ function inTheEngine(folder) {
   return [...headers.flatMap((name) => ofDebian(name)), ...unpacked, ...ofDebian('emscripten')];
 }
 
-/** What is in the page and not ours, with its licence. */
+/** The parts of the page by others, with their licences. */
 function licences() {
   const ours = readFileSync(join(here, '../../../LICENSE'), 'utf8');
   const others = ['three', 'three-mesh-bvh', 'meshoptimizer'].map((name) => {
@@ -74,7 +75,7 @@ function licences() {
 }
 writeFileSync(join(out, 'licences.txt'), licences());
 
-/** Everything that the folder has now, with its SHA-256: what the service worker keeps. */
+/** All files of the folder with their SHA-256, which the service worker keeps. */
 function filesOf(folder) {
   const names = readdirSync(folder).filter((name) => name !== 'service_worker.js').sort();
   return names.map((name) => {
@@ -88,7 +89,7 @@ await build({
   entryPoints: ['src/offline/service_worker.ts'],
   outdir: out,
   bundle: true,
-  format: 'iife',  // not every browser takes modules there
+  format: 'iife',  // not every browser accepts modules as service workers
   target: 'es2022',
   minify: true,
   define: {

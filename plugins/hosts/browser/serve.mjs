@@ -1,4 +1,4 @@
-// Serves a folder on this machine, to look at the page: node serve.mjs FOLDER [PORT].
+// Serves a folder to browsers on this machine: node serve.mjs FOLDER [PORT].
 import { createReadStream, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
@@ -10,7 +10,7 @@ const kinds = {
   '.webmanifest': 'application/manifest+json',
 };
 
-/** Begins to serve; gives the server and its address. Port 0: any that is free. */
+/** Starts the server; returns it with its address. Port 0: any free port. */
 export function serve(folder, port = 0) {
   const server = createServer((request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));

@@ -1,4 +1,4 @@
-"""The plugins' C++ sources: which ones a source distribution carries, and how they are compiled."""
+"""The C++ sources of the plugins: the files of a source distribution, and their compilation."""
 
 import os
 import shlex
@@ -7,20 +7,21 @@ import subprocess
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-# A source distribution carries them in a folder; a checkout has this one as its plugins/hosts/python.
+# A source distribution has the C++ sources in the folder "source"; a checkout has them three folders up.
 CARRIED = HERE / "source"
 CHECKOUT = Path("/", *HERE.parts[:-3])
 FOLDERS = ("intrinsic", "heat", "core", "plugins/interface", "plugins/loader", "plugins/methods",
            "plugins/editing")
 FILES = ("CMakeLists.txt", "plugins/CMakeLists.txt", "LICENSE", "CHANGELOG.md")
 SUFFIXES = {".cpp", ".hpp", ".h", ".cmake", ".in", ".map", ".txt"}
-# The driver, its pictures and what is installed beside libraries have no place in a wheel.
+# A wheel needs no driver, no pictures, and no installed libraries and headers.
 OPTIONS = ("-DCMAKE_BUILD_TYPE=Release", "-DTALWEG_BUILD_DRIVER=OFF", "-DTALWEG_BUILD_DEMO=OFF",
            "-DTALWEG_BUILD_TESTS=OFF", "-DTALWEG_INSTALL=OFF", "-DCMAKE_INSTALL_LIBDIR=lib")
 
 
 def root():
-    """Where CMakeLists.txt is, or None: then only plugins that were built elsewhere can be taken."""
+    """The folder with the top CMakeLists.txt; None if there are no sources, so that only plugins that were
+    built elsewhere can be packed."""
     for folder in (CARRIED, CHECKOUT):
         if (folder / "core/CMakeLists.txt").is_file():
             return folder
@@ -28,7 +29,7 @@ def root():
 
 
 def needed(source):
-    """What CMake needs of the sources, relative to them."""
+    """The files that CMake needs, relative to ``source``."""
     found = [Path(name) for name in FILES]
     for folder in FOLDERS:
         found += sorted(path.relative_to(source) for path in (source / folder).rglob("*")
@@ -37,7 +38,8 @@ def needed(source):
 
 
 def compile_plugins(build):
-    """The folder with plugins that CMake compiled in BUILD; CMAKE_ARGS may add options."""
+    """Compiles the plugins in the folder ``build`` and returns the folder with the modules. The environment
+    variable CMAKE_ARGS may add options."""
     source = root()
     if not shutil.which("cmake"):
         raise SystemExit("talweg: there is no cmake to compile the plugins with (Debian: apt install "

@@ -1,5 +1,5 @@
-"""Puts the plugins into the wheel, which therefore is for one platform and any Python 3: those in the
-folders of TALWEG_PLUGIN_PATH, those of a checkout's build, or else compiled from the sources."""
+"""Puts the plugins into the wheel, which is therefore for one platform and any Python 3. Plugins come from
+the folders of TALWEG_PLUGIN_PATH, from the build of a checkout, or else from a compilation of the sources."""
 
 import os
 import shutil
@@ -20,11 +20,11 @@ sys.path.insert(0, str(HERE))
 import native_sources  # noqa: E402  # pylint: disable=wrong-import-position
 
 
-MODULE = "talweg_methods.so"  # with all plugins of Talweg
+MODULE = "talweg_methods.so"  # the module with all plugins of Talweg
 
 
 def plugins(build):
-    """The folder of the plugins."""
+    """The folder with the plugins, compiled in ``build`` if there are none."""
     named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
     for folder in named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"]:
         if (folder / MODULE).is_file():
@@ -40,11 +40,11 @@ class BuildWithPlugins(build_py):
     def run(self):
         super().run()
         if getattr(self, "editable_mode", False):
-            return  # a checkout finds its own build
+            return  # a checkout uses its own build
         target = Path(self.build_lib) / "talweg" / "plugins"
         target.mkdir(parents=True, exist_ok=True)
         folder = plugins(Path(self.build_lib).resolve().parent / "plugins")
-        # Plugins for any Linux bring a library (plugins/packages) and the licences of all parts.
+        # Plugins for any Linux (plugins/packages) come with a shared library and the licences of all parts.
         for path in (folder / MODULE, *folder.glob("libtalweg-*.so.*")):
             shutil.copy(path, target / path.name)
         licences = folder / "licences"

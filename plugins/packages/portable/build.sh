@@ -1,6 +1,6 @@
 #!/bin/sh
-# build.sh SYSROOT SUITESPARSE OUT: driver and plugins for any Linux with the sysroot's glibc or a newer
-# one, installed into OUT/tree with the one shared library that they bring.
+# build.sh SYSROOT SUITESPARSE OUT: builds driver and plugins for any Linux with the sysroot's glibc or a
+# newer one, and installs them into OUT/tree with the shared library that they need.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 sysroot=$(cd "$1" && pwd) suitesparse=$(cd "$2" && pwd)
@@ -10,7 +10,7 @@ jobs=${TALWEG_JOBS:-$(nproc)}
 compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
   target=$1 source=$2 build=$3
   shift 3
-  # What ccache remembers of another folder would tell CMake that folder's paths.
+  # Entries of ccache from another folder would contain its paths, which CMake would read.
   CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_SYSROOT="$sysroot" \
     -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
@@ -19,8 +19,8 @@ compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
     { tail -n 20 "$build.log" >&2; exit 1; }
 }
 compile cholmod "$here/cholmod" "$out/cholmod"
-# Run paths are final from the start: when CMake replaces them, the space of the longer ones stays.
-# shellcheck disable=SC2016  # $ORIGIN is the linker's
+# Run paths are final from the start: if CMake replaced longer ones, their space would remain. shellcheck
+# disable=SC2016  # $ORIGIN is the linker's
 compile talweg "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
   -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON \
   -DCMAKE_INSTALL_RPATH='$ORIGIN;$ORIGIN/../lib/talweg/plugins' -DTALWEG_SUPERNODAL=OFF \
@@ -31,7 +31,7 @@ plugins=$out/tree/lib/talweg/plugins
 cp "$out/cholmod/libtalweg-cholmod.so.3" "$plugins"
 strip --strip-unneeded "$plugins/libtalweg-cholmod.so.3"
 
-# Licences of all that is inside.
+# Licences of all parts.
 mkdir "$plugins/licences"
 cp "$here/../../../LICENSE" "$plugins/licences/talweg"
 for package in g++-12 libopenmesh-dev libeigen3-dev libfmt-dev libpugixml-dev nlohmann-json3-dev \

@@ -1,5 +1,5 @@
-# The host's g++ and its static C++ library against an older glibc, that of a root that sysroot.sh made
-# (TALWEG_SYSROOT): what is built runs wherever glibc is as old as the root's, or newer.
+# Builds with the host's g++ and its static C++ library against the older glibc of a root by sysroot.sh
+# (TALWEG_SYSROOT). The programs run with this glibc or a newer one.
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TALWEG_SYSROOT)
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
@@ -11,23 +11,23 @@ set(CMAKE_LIBRARY_ARCHITECTURE x86_64-linux-gnu)
 # The compiler would look for its own headers inside the root, and for libraries outside of it.
 set(libraries ${TALWEG_SYSROOT}/usr/lib/x86_64-linux-gnu)
 set(search "-B${libraries} -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
-# What nobody calls is left out: functions that every source has a copy of, and parts of the core.
+# Unused functions are left out: copies in several sources, and parts of the core.
 string(APPEND search " -ffunction-sections -fdata-sections")
 set(CMAKE_C_FLAGS_INIT "${search}")
 set(CMAKE_CXX_FLAGS_INIT "${search} -nostdinc++")
 foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
   string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem /usr/include/${folder}")
 endforeach()
-# What refers to a symbol of a newer glibc does not link. The static libstdc++ wants threads behind it,
-# which glibc had in a library of their own before 2.34.
+# Code that refers to a symbol of a newer glibc does not link. The static libstdc++ must be followed by the
+# library of threads, which was separate before glibc 2.34.
 set(link "-static-libgcc -static-libstdc++ -pthread -L${TALWEG_SYSROOT}/talweg -L${libraries} -Wl,-z,defs -Wl,--gc-sections")
 foreach(kind EXE SHARED MODULE)
   set(CMAKE_${kind}_LINKER_FLAGS_INIT "${link}")
 endforeach()
 set(CMAKE_CXX_STANDARD_LIBRARIES ${TALWEG_SYSROOT}/talweg/newer_glibc.o)
 
-# Header-only libraries come from the host (sysroot.sh links them into one folder); zlib and libpng are
-# the root's static ones.
+# Header-only libraries come from the host (sysroot.sh links them into one folder); zlib and libpng are static
+# libraries of the root.
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR}/find)
 set(ZLIB_LIBRARY ${libraries}/libz.a CACHE FILEPATH "")
 set(PNG_LIBRARY ${libraries}/libpng16.a CACHE FILEPATH "")

@@ -25,7 +25,7 @@ std::vector<Point> icosahedron_points() {
   return points;
 }
 
-/// Numbers the points of the divided faces; those on shared edges once.
+/// Numbers the points of the divided faces; a point on a shared edge gets one number.
 class DividedIcosahedron {
  public:
   explicit DividedIcosahedron(std::uint32_t frequency) : n_(frequency) {

@@ -1,4 +1,4 @@
-// A bumpy ball is a mesh of any size.
+// A bumpy ball, a test mesh of any size.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@ namespace talweg::paper {
 /// faces, closed, edge lengths within a factor of about 1.3. frequency >= 1.
 MeshLists sphere(std::uint32_t frequency);
 
-/// Moves the points of the unit sphere along their rays: hills of about a fifth of the radius with
-/// ever smaller ones on them.
+/// Moves the points of the unit sphere along their rays: hills of about a fifth of the radius, with
+/// smaller and smaller hills on them.
 void make_bumpy(MeshLists& sphere, std::uint64_t seed);
 
-/// Both.
+/// A sphere, made bumpy.
 MeshLists bumpy_ball(std::uint32_t frequency, std::uint64_t seed);
 
 }  // namespace talweg::paper

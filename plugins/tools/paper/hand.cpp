@@ -13,7 +13,7 @@
 namespace talweg::paper {
 namespace {
 
-// The ends of the tour: each as far as possible from those before.
+// The ends of the tour: each as far as possible from all earlier ends.
 std::vector<VertexId> far_ends(const OpenedMesh& mesh, std::size_t count) {
   const auto heat = mesh.heat(10);
   std::vector<VertexId> ends{VertexId{0}};
@@ -23,7 +23,7 @@ std::vector<VertexId> far_ends(const OpenedMesh& mesh, std::size_t count) {
     const std::vector<double> from = heat->solve(source);
     std::size_t farthest = 0;
     for (std::size_t v = 0; v < distance.size(); ++v) {
-      distance[v] = k == 1 ? from[v] : std::min(distance[v], from[v]);  // vertex 0 is no end itself
+      distance[v] = k == 1 ? from[v] : std::min(distance[v], from[v]);  // vertex 0 is not an end
       if (!std::isfinite(distance[v])) continue;
       if (!std::isfinite(distance[farthest]) || distance[v] > distance[farthest]) farthest = v;
     }
@@ -46,7 +46,7 @@ VertexId strayed(const Surface& surface, VertexId v, int steps, scenes::Random& 
   return v;
 }
 
-// Draws as many of the way-points as can be joined without crossing.
+// Draws through as many of the way-points as can be joined without crossings.
 std::vector<VertexId> draw_most(EdgeDijkstra& dijkstra, std::vector<VertexId> through) {
   while (through.size() > 2) {
     try {

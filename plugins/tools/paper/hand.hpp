@@ -1,4 +1,4 @@
-// An unsteady hand paints curves.
+// Curves as an unsteady hand paints them.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 namespace talweg::paper {
 
 /// A trembling open line along mesh edges with this many vertices, over large parts of the first
-/// vertex's component: it goes from one far end to the next, and points are moved sideways by a few
-/// edges. Shorter when the mesh leaves no room. Deterministic. Factors the heat solver.
-/// Throws Error(kBadCurve) when there is no room at all.
+/// vertex's component: it leads from one far end to the next, and points are moved sideways by a
+/// few edges. The line is shorter if the mesh has no room. Deterministic. Factors the heat solver.
+/// Throws Error(kBadCurve) if there is no room at all.
 SurfaceCurve tour(const OpenedMesh& mesh, std::size_t vertices, std::uint64_t seed);
 
 /// A curve along mesh edges through the vertices nearest to these places.

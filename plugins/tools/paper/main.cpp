@@ -1,4 +1,4 @@
-// talweg-paper: what the paper shows, with the paper's own potential.
+// talweg-paper: the paper's experiments with its own potential.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

@@ -60,7 +60,7 @@ std::vector<Point> circle() {
   return places;
 }
 
-// A arched_wave over the front of the ball from left to right.
+// An arched wave over the front of the ball from left to right.
 std::vector<Point> arched_wave() {
   scenes::Random hand(8);
   std::vector<Point> places;
@@ -76,7 +76,7 @@ struct Part {
   double low, high;
 };
 
-// The mesh's edges as thin lines, since the renderer leaves out edges this short.
+// The mesh's edges as thin lines, since the renderer leaves out such short edges.
 void add_wires(const MeshLists& mesh, picture::Scene& scene) {
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -87,7 +87,7 @@ void add_wires(const MeshLists& mesh, picture::Scene& scene) {
   }
 }
 
-// One panel and one part of the table per tau.
+// A panel and a part of the table for each tau.
 std::string report_on(Experiment& experiment, const std::vector<double>& taus,
                       const std::vector<Part>& parts, const std::filesystem::path& file) {
   const SurfaceMesh& mesh = experiment.mesh().mesh();

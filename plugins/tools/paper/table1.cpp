@@ -15,13 +15,14 @@
 namespace talweg::paper {
 namespace {
 
-// A row of the paper's table, and the mesh of about that size that stands for it here.
+// A row of the paper's table, with a mesh of about the same size.
 struct Row {
   const char* model;
   double tau;
   std::size_t points_before, points_after;
   double total_ms, solve_ms, straighten_ms;  // on an Intel Core i9-13900K
-  const char* mesh;                          // of the shared meshes; null: always generated
+  const char* mesh;                          // name of a shared mesh; null: always the generated
+                                             // ball
   std::uint32_t frequency;                   // of the generated ball
 };
 

@@ -6,7 +6,7 @@
 namespace talweg::picture {
 namespace {
 
-// Over 4 x 4 pixels, the period of the pattern of directions.
+// The mean over 4 x 4 pixels, the period of the pattern of directions.
 std::vector<float> blurred(const std::vector<float>& values, std::size_t width,
                            std::size_t height) {
   std::vector<float> result(values.size());
@@ -46,7 +46,7 @@ std::vector<float> openness(const SampleBuffer& buffer, std::size_t samples, dou
       for (int k = 0; k < 16; ++k) {
         const double angle = turn + 2.39996323 * k, far = reach * std::sqrt((k + 0.5) / 16);
         const double dx = far * std::cos(angle), dy = far * std::sin(angle);
-        // Opposite neighbours together: a slope hides nothing, a valley does.
+        // Opposite neighbours are taken together, so that a valley is darkened and a slope is not.
         const double one = (depth(double(x) + dx, double(y) + dy) - here) / double(samples);
         const double two = (depth(double(x) - dx, double(y) - dy) - here) / double(samples);
         const double rise =

@@ -9,7 +9,8 @@
 namespace talweg::picture {
 
 /// The part of the surroundings, in [0, 1], that neighbours on the screen leave open; one value per
-/// pixel of samples x samples samples. `reach` is the radius looked at, in pixels. O(pixels).
+/// pixel of samples x samples samples. `reach` is the radius of the neighbourhood, pixels.
+/// O(pixels).
 std::vector<float> openness(const SampleBuffer& buffer, std::size_t samples, double reach);
 
 }  // namespace talweg::picture

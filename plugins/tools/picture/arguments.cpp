@@ -45,7 +45,7 @@ CurveArgument curve_argument(const std::string& text) {
   const std::string wanted = "FILE[:rrggbb[:width]]";
   CurveArgument result;
   std::vector<std::string> parts = split(text, ':');
-  // Read from the end, since a file name may hold colons.
+  // Parsed from the end, since a file name may contain colons.
   if (parts.size() > 2 && hex_color(parts[parts.size() - 2], result.color)) {
     result.width = number(parts.back(), text, wanted);
     parts.resize(parts.size() - 2);

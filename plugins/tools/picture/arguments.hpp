@@ -1,4 +1,4 @@
-// Some of the renderer's command-line arguments have a form of their own.
+// Parses command-line arguments of the renderer that have several parts.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct CurveArgument {
   double width = 5;
 };
 
-/// Each of these throws Error(kBadUsage) that quotes what cannot be understood.
+/// Each function throws Error(kBadUsage), which quotes an argument that cannot be parsed.
 CurveArgument curve_argument(const std::string& text);
 /// x,y,z
 Point direction_argument(const std::string& text);
@@ -23,11 +23,11 @@ Point direction_argument(const std::string& text);
 Fit fit_argument(const std::string& text);
 
 struct PanelArgument : Panel {
-  std::string mesh;           ///< a file; empty: that of the picture
+  std::string mesh;           ///< a file; empty: the picture's mesh
   std::string labels;         ///< a file, or "pieces"; empty: no colours
   bool no_curves = false;     ///< curves=none
-  std::optional<Point> at;    ///< shown enlarged, mesh units
-  std::optional<Point> move;  ///< by which all pieces but the largest are moved, mesh units
+  std::optional<Point> at;    ///< centre of an enlarged place, mesh units
+  std::optional<Point> move;  ///< translation of all pieces but the largest, mesh units
 };
 /// CAPTION[|curves=1,2|none][|fit=FIT][|zoom=Z][|view=x,y,z][|at=x,y,z][|mesh=FILE]
 /// [|labels=FILE|pieces][|move=x,y,z]; curves are counted from 1.

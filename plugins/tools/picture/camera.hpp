@@ -1,4 +1,4 @@
-// A camera is orthographic.
+// An orthographic camera.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// A caption is a short text in a picture.
+// Short texts in a picture.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ namespace talweg::picture {
 void draw_caption(Image& image, const std::string& text, double center_x, double baseline,
                   double height, const Light& color);
 
-/// How wide that is, pixels.
+/// The width of the caption, pixels.
 double caption_width(const std::string& text, double height);
 
 }  // namespace talweg::picture

@@ -1,4 +1,4 @@
-// A contact sheet is several pictures in one.
+// Joins several pictures to one.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace talweg::picture {
 /// Pictures of one size, row by row, `columns` in a row (the last row may be shorter).
 Image contact_sheet(const std::vector<Image>& pictures, std::size_t columns);
 
-/// One picture beneath another; where one is narrower, white is beside it.
+/// One picture below another; the narrower one is filled up with white.
 Image stacked(const Image& top, const Image& bottom);
 
 }  // namespace talweg::picture

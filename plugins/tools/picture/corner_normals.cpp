@@ -33,7 +33,7 @@ CornersOfVertices corners_of_vertices(const MeshLists& mesh) {
   return result;
 }
 
-// As long as twice the face's area.
+// The normal with twice the face's area as length.
 Point normal_of(const MeshLists& mesh, std::size_t f) {
   const auto& [a, b, c] = mesh.triangles[f];
   return (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);

@@ -18,7 +18,7 @@ constexpr double kLetters = 9;  // pixels, as captions of small panels
 constexpr Color kText{0.2, 0.2, 0.22}, kGrid{0.87, 0.87, 0.86}, kAxis{0.62, 0.62, 0.62},
     kPaper{1, 1, 1}, kShade{0.93, 0.93, 0.91};
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` of it fit into the range.
+/// A step of 1, 2 or 5 times a power of ten, so that at most `most` steps fit into the range.
 double tick_step(double range, int most) {
   const double least = range / most, power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double step : {1.0, 2.0, 5.0}) {
@@ -33,7 +33,7 @@ double largest(const PlotLine& line) {
   return most;
 }
 
-/// Where the axes lie, and what they mean.
+/// The place of the axes, and their units.
 class Frame {
  public:
   Frame(const CurvaturePlot& plot, std::size_t width, std::size_t height)
@@ -47,7 +47,7 @@ class Frame {
   }
 
   [[nodiscard]] double x(double part) const { return left() + part * (right_ - left()); }
-  /// Of a value in degrees per h0; values out of range end a little outside of the frame.
+  /// The pixel of a value in degrees per h0; values out of range end slightly outside the frame.
   [[nodiscard]] double y(double value) const {
     const double bounded = std::clamp(value / range_, -1.1, 1.1);
     return 0.5 * (top() + bottom_) - 0.5 * bounded * (bottom_ - top());
@@ -96,7 +96,7 @@ void draw_ground(Image& image, const Frame& frame, const CurvaturePlot& plot) {
   }
 }
 
-/// Covers what lines left outside of the frame, and draws its border.
+/// Covers lines outside the frame, and draws its border.
 void draw_margins(Image& image, const Frame& frame, const Color& background) {
   const Light light = to_linear(background);
   const auto width = double(image.width), height = double(image.height);
@@ -113,7 +113,7 @@ void draw_margins(Image& image, const Frame& frame, const Color& background) {
               0.5, to_linear(kAxis));
 }
 
-/// Text that starts at `left`, or ends at `left` where it is aligned to the right.
+/// Text that starts at `left`, or ends at `left` if it is aligned to the right.
 void write(Image& image, const std::string& text, double left, double baseline,
            bool to_right = false) {
   const double half = 0.5 * caption_width(text, kLetters);

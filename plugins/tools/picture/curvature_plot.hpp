@@ -17,7 +17,7 @@ struct PlotLine {
   std::vector<CurvatureStep> steps;  ///< curvature_along(); covering the curve from 0 to its length
   Color color{0.1, 0.1, 0.1};
   double width = 1.6;   ///< pixels, > 0
-  bool behind = false;  ///< pale; it has no part in the range, and is cut off where it leaves that
+  bool behind = false;  ///< pale; it does not affect the range, and is cut off outside
 };
 
 /// A part of the horizontal axis, in [0, 1].
@@ -28,11 +28,11 @@ struct Stretch {
 /// The parts of a curve within a ball.
 std::vector<Stretch> stretches_in(const PictureCurve& curve, const Point& center, double radius);
 
-/// Curves beside each other: each is drawn over the whole width, by the part of its own length.
+/// Curves over a common axis: each is drawn over the whole width, by fractions of its own length.
 struct CurvaturePlot {
   std::vector<PlotLine> lines;  ///< later ones are on top
   double edge = 0;              ///< h0, mesh units: curvature is shown in degrees per h0
-  std::vector<Stretch> shown;   ///< shaded: what pictures beside the plot show
+  std::vector<Stretch> shown;   ///< shaded: parts that pictures beside the plot show
 };
 
 /// Draws axes, a legend and all lines. O(pixels + steps · width of a step). Deterministic. Throws

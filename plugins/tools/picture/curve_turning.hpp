@@ -1,4 +1,4 @@
-// Curves of files are put on the mesh, so that the library can measure how they turn.
+// Places curves of files on the mesh, so that the library can measure their turning.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ struct CurveTurning {
   std::vector<std::vector<CurvatureStep>> steps;  ///< of every curve
 };
 
-/// The mesh is repaired first where it is no surface; the curves are in the numbers of `lists`.
-/// Needs a curve. Throws as snap(), SurfaceMesh::open() and repair() do.
+/// A mesh that is no surface is repaired first; the curves have the indices of `lists`. `curves`
+/// must not be empty. Throws as snap(), SurfaceMesh::open() and repair() do.
 CurveTurning turning_of(const MeshLists& lists, std::span<const CurveInput> curves);
 
 }  // namespace talweg::picture

@@ -11,7 +11,7 @@
 namespace talweg::picture {
 namespace {
 
-/// A colour of this hue in [0, 1): bright, not loud.
+/// A bright, slightly saturated colour of this hue in [0, 1).
 Color of_hue(double hue) {
   constexpr double kValue = 0.95, kSaturation = 0.34;
   Color color{};

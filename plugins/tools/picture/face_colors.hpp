@@ -1,4 +1,4 @@
-// Face colours tell labels and pieces apart.
+// Colours of faces for labels and pieces.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace talweg::picture {
 
-/// One soft colour per label, the same for equal labels in every picture.
+/// A soft colour for each label, equal for equal labels in every picture.
 std::vector<Color> label_colors(const std::vector<std::int64_t>& labels);
 
 /// Whole numbers, separated by blanks or ends of lines. Throws Error(kBadFile) for anything else.

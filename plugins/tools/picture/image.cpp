@@ -27,7 +27,7 @@ std::string png_bytes(const Image& image) {
 }
 
 void write_png(const std::filesystem::path& path, const Image& image) {
-  // Into memory first, so that the file is the old or the whole new picture.
+  // The bytes are made in memory first, so that the file is the old or the whole new picture.
   write_file(path, png_bytes(image));
 }
 

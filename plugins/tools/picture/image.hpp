@@ -1,4 +1,4 @@
-// An image is a picture in memory, with its way to a file.
+// A picture in memory, and its file.
 #pragma once
 
 #include <cstddef>

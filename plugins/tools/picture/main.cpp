@@ -74,7 +74,7 @@ struct Arguments {
   bool no_edges = false;
 };
 
-/// The curves of the files, and which of them are whose. A file may hold several.
+/// Adds the curves of the files, and returns the indices of each file's curves.
 std::vector<std::vector<std::size_t>> add_curves(const Arguments& arguments, Scene& scene) {
   std::vector<std::vector<std::size_t>> of_file;
   for (const std::string& text : arguments.curves) {
@@ -89,7 +89,7 @@ std::vector<std::vector<std::size_t>> add_curves(const Arguments& arguments, Sce
   return of_file;
 }
 
-/// Panels count files; a scene counts curves.
+/// Translates a panel's file numbers to the scene's curve indices.
 void count_curves(Panel& panel, const std::string& text,
                   const std::vector<std::vector<std::size_t>>& of_file) {
   const std::vector<std::size_t> files = std::exchange(panel.curves, {});
@@ -103,7 +103,7 @@ void count_curves(Panel& panel, const std::string& text,
   }
 }
 
-/// The scene of a panel that has a mesh or colours of its own.
+/// The scene of a panel with its own mesh or colours.
 Scene own_scene(const Scene& scene, const PanelArgument& panel) {
   Scene own = scene;
   own.panels = {panel};
@@ -147,7 +147,7 @@ Image panels_of(const Arguments& arguments, Scene& scene) {
   return render(scene, arguments.options);
 }
 
-/// The plot of the curves that have a name; of a file with several curves that of the first.
+/// The plot of the curves with a name; of a file with several curves, of the first.
 Image plot_of(const Arguments& arguments, const Scene& scene, std::size_t width) {
   std::vector<CurveInput> inputs;
   CurvaturePlot plot;

@@ -21,9 +21,9 @@ namespace {
 
 constexpr std::uint32_t kTube = 0x80000000U;  // a sample's id: a face, or this + 256 curve + facing
 
-constexpr double kDetailEdges = 5;  // the radius of a detail that names none
+constexpr double kDetailEdges = 5;  // radius of a detail without a radius
 
-// Everything that the panels of one picture share.
+// The data that all panels of a picture share.
 struct Studio {
   const Scene& scene;
   const RenderOptions& options;
@@ -79,12 +79,12 @@ Camera detail_camera(Studio& studio, const Panel& panel, double width, double he
   return camera;
 }
 
-// Frames a curve with its surroundings: larger than the curve, but not larger than the mesh.
+// The extent of a curve with its surroundings, at most the mesh's.
 Extent with_surroundings(Extent curve, const Extent& mesh) {
   const Point grow = 1.2 * Point::Constant(curve.size().head<2>().maxCoeff());
   curve.low = (curve.low - grow).cwiseMax(mesh.low);
   curve.high = (curve.high + grow).cwiseMin(mesh.high);
-  // Where little would be cut off, nothing is.
+  // If little of the mesh would be cut off, the whole mesh is shown.
   const double seen = (curve.size().head<2>().cwiseQuotient(mesh.size().head<2>())).minCoeff();
   return seen > 0.75 ? mesh : curve;
 }
@@ -100,7 +100,7 @@ Camera camera_for(Studio& studio, const Panel& panel, double width, double heigh
   const Extent mesh = mesh_extent(scene.mesh, axes);
   Extent extent = mesh;
   if (has_curve_points(scene) && panel.fit != Fit::kMesh) {
-    // All curves count, not only the panel's: panels side by side then have one frame.
+    // All curves count, not only the panel's, so that panels have equal frames.
     extent = curve_extent(scene, curves_of({}, scene), axes);
     if (panel.fit == Fit::kAuto) extent = with_surroundings(extent, mesh);
   }
@@ -171,8 +171,9 @@ class Shader {
         camera_.axes * (weight[0] * n[0].cast<double>() + weight[1] * n[1].cast<double>() +
                         weight[2] * n[2].cast<double>())
                            .normalized();
-    // On the screen a counterclockwise face turns clockwise, as y points down. Interpolated normals
-    // may lean over the horizon of a face that is seen from outside; they then count as grazing.
+    // On the screen a counterclockwise face is clockwise, since y points down. Interpolated normals
+    // may point beyond the horizon of a face that is seen from outside; they are then treated as
+    // grazing.
     const bool outside = area < 0;
     if (outside != (normal.z() >= 0))
       normal = Eigen::Vector3d(normal.x(), normal.y(), 0).normalized();
@@ -182,7 +183,7 @@ class Shader {
   }
 
  private:
-  // In [0, 1]: how much of the sample the face's outline covers.
+  // The part of the sample, in [0, 1], that the face's outline covers.
   [[nodiscard]] double on_edge(const Eigen::Vector3d& weight, double area, const Point& a,
                                const Point& b, const Point& c) const {
     if (line_ == 0) return 0;
@@ -206,7 +207,7 @@ Light background_at(const RenderOptions& options, double height_fraction) {
   return to_linear(options.background) * (1.02 - 0.14 * height_fraction);
 }
 
-// Where captions stand, at the bottom of a panel, in pixels.
+// The place of captions at the bottom of a panel, pixels.
 struct CaptionBand {
   double letters;
   double height;
@@ -247,7 +248,7 @@ void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& ima
     }
   }
   if (band.height == 0) return;
-  // Plain behind the caption, for curves and dark places make it hard to read.
+  // The caption has a plain background, since it could not be read over curves and dark places.
   for (auto y = options.panel_height - static_cast<std::size_t>(band.height);
        y < options.panel_height; ++y) {
     for (std::size_t x = 0; x < options.panel_width; ++x) {

@@ -1,4 +1,4 @@
-// The renderer makes pictures of curves on a shaded mesh, without a display.
+// Renders pictures of curves on a shaded mesh, without a display.
 #pragma once
 
 #include <array>
@@ -23,18 +23,18 @@ struct PictureCurve {
   double width = 5;  ///< pixels, > 0
 };
 
-/// What a panel shows of the mesh.
+/// The part of the mesh that a panel shows.
 enum class Fit {
   kAuto,    ///< the curve with its surroundings
   kCurve,   ///< the curve, tightly
   kMesh,    ///< the whole mesh
-  kDetail,  ///< the place where the first curve turns most, seen from straight above it
+  kDetail,  ///< the place of largest turning of the first curve, seen from straight above
 };
 
-/// A place to show enlarged: what lies within `radius` of its centre.
+/// An enlarged place: everything within `radius` of its centre.
 struct Detail {
   Point center = Point::Zero();
-  Point normal = Point::UnitZ();  ///< the direction to look from
+  Point normal = Point::UnitZ();  ///< direction from the place to the viewer
   double radius = 0;              ///< mesh units; 0: five edges
 };
 
@@ -43,18 +43,18 @@ struct Panel {
   std::string caption;
   std::vector<std::size_t> curves;  ///< which of the scene's curves are drawn; empty: all
   Fit fit = Fit::kAuto;
-  double zoom = 1;  ///< > 0; enlarges what `fit` chose
+  double zoom = 1;  ///< > 0; enlarges the choice of `fit`
   /// From the mesh towards the viewer; empty: the direction that sees most of the curves.
   std::optional<Point> view;
-  std::optional<Detail> detail = std::nullopt;  ///< shown instead of what `fit` chooses
+  std::optional<Detail> detail = std::nullopt;  ///< shown instead of the choice of `fit`
 };
 
 struct Scene {
   MeshLists mesh;
-  std::vector<Color> face_colors;  ///< one per face; empty: all of the material's
+  std::vector<Color> face_colors;  ///< a colour for each face; empty: the material's colour
   std::vector<PictureCurve> curves;
   std::vector<Panel> panels;  ///< empty: one panel with everything
-  std::optional<Point> up;    ///< empty: y, and for open sheets the side that they face
+  std::optional<Point> up;    ///< empty: y; for open sheets, the side that the sheet faces
 };
 
 struct RenderOptions {
@@ -62,11 +62,11 @@ struct RenderOptions {
   std::size_t panel_height = 640;  ///< pixels, in [16, 8192]
   std::size_t supersampling = 3;   ///< samples per pixel in x and in y, in [1, 8]
   bool captions = true;
-  bool mesh_edges = true;  ///< thin lines along the mesh's edges where these are long enough
+  bool mesh_edges = true;  ///< thin lines along the mesh's edges, if edges are long enough
   Color background{0.965, 0.965, 0.96};
   Color material{0.91, 0.85, 0.775};
 
-  /// Throws Error(kBadUsage) naming the field and its bound.
+  /// Throws Error(kBadUsage), which names the field and its bound.
   void validate() const;
 };
 
@@ -79,13 +79,13 @@ struct RenderOptions {
 /// colours than faces.
 Image render(const Scene& scene, const RenderOptions& options = {});
 
-/// What panels with this view show by Fit::kDetail. Needs a first curve with points. Throws as
-/// render() does.
+/// The place that panels with this view show for Fit::kDetail. The first curve must have points.
+/// Throws as render() does.
 Detail turning_detail(const Scene& scene, const std::optional<Point>& view = {});
 
-/// What lies within `radius` (mesh units; 0: five edges) of a point, from where the curves near it
-/// are seen best: straight from above, or from aside where something is in the way. O(faces).
-/// Throws as render() does.
+/// The surroundings of a point within `radius` (mesh units; 0: five edges), from the direction that
+/// shows its curves best: straight from above, or obliquely if another part of the mesh hides them.
+/// O(faces). Throws as render() does.
 Detail detail_at(const Scene& scene, const Point& center, double radius = 0);
 
 }  // namespace talweg::picture

@@ -10,7 +10,7 @@ struct Range {
   std::size_t begin = 0, end = 0;
 };
 
-// The samples whose centres lie in [low, high].
+// The range of samples whose centres lie in [low, high].
 Range samples_between(double low, double high, std::size_t size) {
   const auto limit = static_cast<double>(size);
   const double begin = std::clamp(std::ceil(low - 0.5), 0.0, limit);

@@ -1,4 +1,4 @@
-// The sample buffer is the z-buffer.
+// A z-buffer.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace talweg::picture {
 
-/// For every sample of a raster what is nearest to the viewer. Coordinates are those that a Camera
-/// projects to: x right, y down, z towards the viewer, all in samples; sample (i, j) lies at
-/// (i + 0.5, j + 0.5).
+/// The object nearest to the viewer for every sample of a raster. Coordinates are the output of a
+/// Camera: x right, y down, z towards the viewer, all in samples; sample (i, j) lies at (i + 0.5, j
+/// + 0.5).
 class SampleBuffer {
  public:
   static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;

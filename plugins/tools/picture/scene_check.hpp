@@ -1,4 +1,4 @@
-// The scene check tells what a scene lacks to be drawn.
+// Checks a scene before it is drawn.
 #pragma once
 
 #include "tools/picture/render.hpp"

@@ -1,4 +1,4 @@
-// Shading gives a surface light, material and colour.
+// Shades surfaces and tubes.
 #pragma once
 
 #include <Eigen/Core>

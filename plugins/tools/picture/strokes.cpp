@@ -11,7 +11,7 @@ std::size_t bounded(double value, std::size_t size) {
   return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
 }
 
-/// The pixels that a stroke may touch, and how much of each it covers.
+/// The pixels that a stroke may touch, with the covered part of each.
 struct Mask {
   std::size_t left, top, right, bottom;
   std::vector<float> coverage;

@@ -1,4 +1,4 @@
-// A stroke is a line in a picture that is made of straight pieces.
+// Draws polylines into a picture.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@ namespace talweg::picture {
 /// x to the right and y down, pixels; a pixel's centre is at 0.5.
 using Spot = std::array<double, 2>;
 
-/// Draws the polyline through these spots with smooth borders and round ends. Where it passes a
-/// pixel several times, it covers that as often as once. O(pixels around each piece).
+/// Draws the polyline through these spots with smooth borders and round ends. A pixel that it
+/// passes several times is covered as by a single pass. O(pixels around each piece).
 void draw_stroke(Image& image, const std::vector<Spot>& spots, double radius, const Light& color);
 
 /// Fills the pixels of [left, right) x [top, bottom), as far as they are in the picture.

@@ -11,10 +11,10 @@
 namespace talweg::picture {
 namespace {
 
-constexpr double kThumbnail = 160;  // samples across, enough to see what hides a curve
+constexpr double kThumbnail = 160;  // samples across, enough to find parts that hide a curve
 constexpr std::size_t kDirections = 48;
 
-// Evenly spread over the sphere, "up" being the pole.
+// Directions spread evenly over the sphere, with "up" as the pole.
 std::vector<Point> candidate_directions(const Point& up) {
   const Eigen::Matrix3d axes = axes_for(up, Point::UnitX() + 0.3 * Point::UnitY());
   std::vector<Point> directions;
@@ -27,7 +27,7 @@ std::vector<Point> candidate_directions(const Point& up) {
   return directions;
 }
 
-// How well a face seen at this cosine shows a curve on it: up to about 55 degrees nothing is lost.
+// The visibility of a curve on a face at this cosine: full up to an angle of about 55 degrees.
 double worth(double cosine) { return std::clamp(cosine / 0.57, 0.0, 1.0); }
 
 struct Thumbnail {
@@ -54,7 +54,7 @@ Thumbnail draw_thumbnail(const MeshLists& mesh, const Point& direction, const Po
   return draw_thumbnail(mesh, framed(axes, mesh_extent(mesh, axes), kThumbnail, kThumbnail, 0.02));
 }
 
-// What lies about a ball, whatever is before or behind it.
+// A thumbnail of a ball's surroundings, without limits in depth.
 Thumbnail draw_ball(const MeshLists& mesh, const Point& center, double radius,
                     const Point& direction, const Point& up) {
   Camera camera;
@@ -65,7 +65,7 @@ Thumbnail draw_ball(const MeshLists& mesh, const Point& center, double radius,
   return draw_thumbnail(mesh, camera);
 }
 
-// How well a point on the surface can be seen, in [0, 1]: 0 where something is in front of it.
+// The visibility of a point on the surface, in [0, 1]: 0 if the mesh hides it.
 double visibility(const std::vector<Eigen::Vector3f>& normals, const Thumbnail& view,
                   const Point& point, const Point& direction) {
   const Point p = view.camera.project(point);
@@ -124,7 +124,7 @@ std::vector<double> turning(const PictureCurve& curve) {
   return angles;
 }
 
-// The middle of the window of 2 half + 1 values with the largest sum, the first of several.
+// The middle of the window of 2 half + 1 values with the largest sum, of equals the first.
 std::size_t fullest_window(const std::vector<double>& values, std::size_t half) {
   double sum = 0, most = -1;
   std::size_t middle = values.size() / 2;

@@ -1,4 +1,4 @@
-// The choice of a view tells where to look from, and at what.
+// Chooses the direction and the centre of a view.
 #pragma once
 
 #include <vector>
@@ -10,27 +10,27 @@
 
 namespace talweg::picture {
 
-/// The scene's upright: what the caller chose; else for a sheet (flat, open) its mean normal; else
-/// y.
+/// The upright direction of the scene: the caller's; otherwise for a flat, open sheet its mean
+/// normal; otherwise y.
 Point upright_of(const Scene& scene);
 
-/// Of a fixed set of directions around the mesh the one from which most of the curves' length is
-/// visible and not too foreshortened, with a slight preference for views a little from above; of
-/// the mesh itself where there are no curves. O(faces).
+/// The best of a fixed set of directions around the mesh: most of the curves' length is visible and
+/// not too foreshortened, with a slight preference for views from a little above. Without curves
+/// most of the mesh is visible. O(faces).
 Point best_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                      const Point& up);
 
-/// Where the first curve turns most within a window of its length, among the parts of it that can
-/// be seen from `direction`. Its normal is the direction to look from: the surface's, or
-/// `direction` where something is in the way of that. O(faces).
+/// The place where the first curve turns most within a window of its length, among its parts that
+/// are visible from `direction`. Its normal is the direction of the view: the surface's normal, or
+/// `direction` if the mesh hides the place along the normal. O(faces).
 Detail most_turning_place(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                           const Point& direction, const Point& up);
 
-/// The direction from which the parts of the curves within a ball are seen best: `normal`, unless
-/// another shows clearly more of them. O(faces).
+/// The direction that shows most of the curves within a ball: `normal`, unless another direction
+/// shows clearly more. O(faces).
 Point clear_direction(const Scene& scene, const std::vector<Eigen::Vector3f>& normals,
                       const Point& center, double radius, const Point& normal, const Point& up);
-/// The mean of the normals within a ball; z where there are none. O(faces).
+/// The mean of the normals within a ball; z if there are none. O(faces).
 Point normal_around(const MeshLists& mesh, const std::vector<Eigen::Vector3f>& normals,
                     const Point& center, double radius);
 

@@ -1,4 +1,4 @@
-// Bounded runs tell whether a bound cures drawings that the default strays far from.
+// Measures whether a bound keeps curves close whose default results lie far from the drawing.
 #pragma once
 
 #include <span>
@@ -9,21 +9,22 @@
 
 namespace talweg::quality {
 
-/// One drawing whose result at τ = 2 lies beyond 3 h₀, smoothed once more within 3 h₀.
+/// A drawing whose result at τ = 2 is farther than 3 h₀, smoothed again with the bound 3 h₀.
 struct BoundedRun {
   std::string mesh, drawing;
-  double strayed = 0;    ///< h₀: the larger deviation without the bound
-  double deviation = 0;  ///< h₀: the larger deviation with it
-  double ratio = 0;      ///< total curvature after / before with it, as Run::ratio()
+  double strayed = 0;    ///< h₀: the larger deviation without the bound, of both directions
+  double deviation = 0;  ///< h₀: the larger deviation with the bound
+  double ratio = 0;      ///< total curvature after / before with the bound, as Run::ratio()
   std::size_t pins = 0;  ///< points of the drawing that the bound had to pin
   bool within = false;
 };
 
-/// `runs` are the subject's default runs. 20 to 60 smoothings for every run that strayed.
+/// `runs` are the subject's default runs. Takes 20 to 60 smoothings for every run beyond 3 h₀.
 std::vector<BoundedRun> bounded_runs(const Subject& subject, std::span<const Run> runs,
                                      const CurveOptions& curve_options);
 
-/// As Markdown: how many were cured at what price, then each.
+/// Markdown: the number of runs that the bound cured with their change of curvature, and a row for
+/// each.
 std::string tables(std::span<const BoundedRun> runs);
 
 }  // namespace talweg::quality

@@ -21,7 +21,7 @@ namespace talweg::quality {
 namespace {
 
 constexpr std::size_t kEvery = 25;
-constexpr double kLeastBending = 0.01;  // what is straight has no ratio
+constexpr double kLeastBending = 0.01;  // a straight curve has no ratio
 
 struct Clicked {
   SurfaceCurve curve;
@@ -39,7 +39,7 @@ std::optional<Clicked> clicked(const Surface& surface, const NamedPath& drawing)
   NamedPath path{drawing.name, {}, drawing.closed};
   try {
     path.path = draw_edge_path(surface, ids, drawing.closed);
-  } catch (const Error&) {  // no way that keeps off what is drawn
+  } catch (const Error&) {  // no path avoids the drawn part
     return std::nullopt;
   }
   result.curve = path.curve(surface);
@@ -56,7 +56,7 @@ double farthest(const Surface& surface, const std::vector<SurfacePoint>& points,
   return most;
 }
 
-/// The stretches of a curve from one click to the next.
+/// The stretches of a curve between consecutive clicks.
 std::vector<SurfaceCurve> legs_of(const SurfaceCurve& curve, const std::vector<WayPoint>& clicks) {
   const auto is_click = [&](const SurfacePoint& point) {
     return std::any_of(clicks.begin(), clicks.end(),

@@ -1,4 +1,4 @@
-// Clicked runs measure the splines through a few points of a drawing.
+// Measures splines through a few points of a drawing.
 #pragma once
 
 #include <cstddef>
@@ -19,17 +19,19 @@ struct ClickedRun {
   double missed = 0;   ///< farthest click from the result
   double bending = 0;  ///< of the result / of the taut curve, as if the drawing were a stroke
   double window_turning = 0, largest_turn = 0;
-  double swing = 0;     ///< farthest from the geodesic legs, of the shorter adjacent leg
-  double longer = 0;    ///< length / that of the geodesic legs
-  double inserted = 0;  ///< how far it moves when a point in its middle becomes a click
-  double ms = 0;        ///< a new drawing and its result
+  double swing = 0;     ///< largest distance from the geodesic legs / length of the shorter
+                        ///< adjacent leg
+  double longer = 0;    ///< length / length of the geodesic legs
+  double inserted = 0;  ///< movement of the curve when a point in its middle becomes a click
+  double ms = 0;        ///< time of a new drawing and its result
   bool warned = false;
 };
 
-/// Every drawing that has at least three of them (loops: four) through each 25th of its vertices.
+/// A run for every drawing that has at least three clicks (loops: four), at each 25th of its
+/// vertices.
 std::vector<ClickedRun> clicked_runs(const Subject& subject);
 
-/// As Markdown: a row for each mesh, and one for all.
+/// Markdown: a row for each mesh, and one for all.
 std::string tables(std::span<const ClickedRun> runs);
 
 }  // namespace talweg::quality

@@ -40,7 +40,7 @@ std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_
       run.largest_turn = report.after.max_curvature;
       run.curvature_after = report.after.total_curvature;
       if (drawing.closed) {
-        // What the curve turns in all is given by the curvature that it encloses.
+        // The total turning of a closed curve is determined by the curvature that it encloses.
         const double after = measure_curve(surface, result.curve()).signed_curvature;
         run.least_curvature = std::min(std::abs(before.signed_curvature), std::abs(after));
       }

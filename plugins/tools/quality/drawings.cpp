@@ -47,7 +47,7 @@ class Hand {
     return std::nullopt;
   }
 
-  /// A loop of about so many edges around a random vertex.
+  /// A loop of about this many edges around a random vertex.
   std::optional<NamedPath> loop(std::size_t points) {
     for (int attempt = 0; attempt < 20; ++attempt) {
       const VertexId centre = any_vertex();
@@ -119,7 +119,7 @@ class Hand {
     }
     try {
       return dijkstra_.draw(through, closed);
-    } catch (const Error&) {  // in its own way; another place, then
+    } catch (const Error&) {  // the loop crosses itself: another place is tried
       return std::nullopt;
     }
   }

@@ -1,4 +1,4 @@
-// Drawings are curves as unsteady hands draw them, open and closed, small and large, on any mesh.
+// Drawings as by unsteady hands, open and closed, small and large, on any mesh.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ struct NamedPath {
   [[nodiscard]] SurfaceCurve curve(const Surface& surface) const;
 };
 
-/// Five open and five closed drawings along mesh edges, as far as the mesh has room for them:
-/// shortest edge paths through way-points that a hand missed by up to a third of their distance.
-/// Closed ones are loops about a vertex (12 to 150 edges) and plane sections. Deterministic.
+/// Five open and five closed drawings along mesh edges, if the mesh has room for them: shortest
+/// edge paths through way-points that a hand missed by up to a third of their distance. Closed
+/// drawings are loops about a vertex (12 to 150 edges) and plane sections. Deterministic.
 std::vector<NamedPath> generated_drawings(const OpenedMesh& mesh, std::uint64_t seed);
 
 /// The drawings MESH.txt and MESH_*.txt of a folder.

@@ -23,7 +23,7 @@ constexpr picture::Color kDrawn{0.78, 0.16, 0.12}, kTaut{0.90, 0.55, 0.05}, kFai
 constexpr double kShownTau = 1;
 constexpr double kShownRadius = 9;  // edge lengths
 
-/// A curve with what is said about it.
+/// A curve with its caption.
 struct Shown {
   std::string name;
   SurfaceCurve curve;
@@ -47,7 +47,7 @@ Point point_at(const picture::PictureCurve& curve, double length) {
   return curve.points.back();
 }
 
-/// Where a curve turns most within a window of this length.
+/// The place where a curve turns most within a window of this length.
 Point most_turning(const Surface& surface, const Shown& shown, const picture::PictureCurve& tube,
                    double window) {
   const std::vector<CurvatureStep> steps = curvature_along(turns_of(surface, shown.curve), window);
@@ -64,7 +64,7 @@ std::string caption(const Surface& surface, const Shown& shown, double edge) {
                      m.bending < 10 ? 2 : 0, m.window_turning * 180 / std::numbers::pi);
 }
 
-/// A panel for each curve; in those after the first, the drawing is there as a thin line.
+/// A panel for each curve; panels after the first also have the drawing as a thin line.
 picture::Scene scene_of(const Subject& subject, const std::array<Shown, 3>& all, double edge) {
   const SurfaceMesh& mesh = subject.mesh->mesh();
   picture::Scene scene;

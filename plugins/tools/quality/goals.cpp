@@ -60,7 +60,7 @@ void of_values(const char* what, const char* unit, const std::vector<double>& va
                           worst, worst_bound));
 }
 
-/// How the turning is spread at τ = 1.
+/// The distribution of turning at τ = 1.
 void of_spread(std::span<const Run> runs, std::vector<Goal>& goals) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   std::vector<double> bent, windows, turns;
@@ -164,7 +164,7 @@ void of_clicks(std::span<const ClickedRun> clicked, std::vector<Goal>& goals) {
             kInserted, goals);
 }
 
-/// One hand, however it is sampled.
+/// Results of one hand with different samplings.
 void of_hands(std::span<const HandRun> hands, std::vector<Goal>& goals) {
   std::vector<double> apart, ratio, bending;
   for (const HandRun& run : hands) {

@@ -1,4 +1,4 @@
-// The goals are what was asked for, shown beside what was reached.
+// Goals for the results, beside the measured values.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct Goal {
   bool met = false;
 };
 
-/// The goals of the default settings. Those of which nothing was measured are left out.
+/// The goals of the default settings. Goals without measured values are left out.
 std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps,
                         std::span<const Subdivision> subdivisions,
                         std::span<const ClickedRun> clicked = {},

@@ -20,7 +20,7 @@ struct NamedSampling {
   scenes::Sampling sampling;
 };
 
-/// The first is what the others are compared with.
+/// Samplings; the others are compared with the first.
 std::vector<NamedSampling> samplings() {
   scenes::Sampling jitter, uneven, rests, doubled, tracker, spikes;
   jitter.step = 0.03;
@@ -46,7 +46,8 @@ std::vector<NamedSampling> samplings() {
           {"10 per edge, four spikes", spikes}};
 }
 
-/// The segments of a polyline without those near its ends, which devices cut off elsewhere.
+/// The segments of a polyline without those near its ends, where devices cut strokes off
+/// differently.
 std::vector<Segment> inner_segments(std::span<const Point> points, double near) {
   std::vector<Segment> segments;
   for (const Segment& s : segments_of(points, false)) {

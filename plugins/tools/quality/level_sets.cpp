@@ -34,7 +34,8 @@ class LevelSets {
     return inside(surface_.tail(h)) != inside(surface_.head(h));
   }
 
-  /// From face to face, always with the positive side on the same hand; empty at the boundary.
+  /// Follows the level set from face to face, with the positive side always on the same hand; empty
+  /// at the boundary.
   std::vector<VertexId> follow(const HalfedgeId first) {
     std::vector<VertexId> loop;
     bool whole = true;

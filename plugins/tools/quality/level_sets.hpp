@@ -1,4 +1,4 @@
-// Level sets are loops for drawings, where a function on the vertices changes its sign.
+// Level sets of functions on the vertices, used as closed drawings.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// talweg-quality: how smooth, how close and how steady results are, on real meshes.
+// talweg-quality: measures smoothness, closeness and steadiness of results on real meshes.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -100,8 +100,9 @@ void append(std::vector<T>& all, std::vector<T> more) {
 }
 
 void measure_runs(const Subject& subject, const Options& options, Measured& measured) {
-  constexpr std::size_t kPaper = 200'000;  // faces: its distance is one of the whole mesh
-  constexpr int kPaperRelaxes = 5;         // rounds, as its authors do
+  constexpr std::size_t kPaper = 200'000;  // faces: the paper's distance is computed on the whole
+                                           // mesh
+  constexpr int kPaperRelaxes = 5;         // rounds, as in the paper
   const std::size_t faces = subject.lists.triangles.size();
   const std::vector<Run> runs = default_runs(subject, options.curve_options);
   append(measured.runs, runs);
@@ -117,7 +118,7 @@ void measure_runs(const Subject& subject, const Options& options, Measured& meas
   }
 }
 
-/// So that anybody can smooth and look at what a line of the tables is about.
+/// Writes the drawings, so that a user can smooth and view the drawing of any line of the tables.
 void write_drawings(const Subject& subject, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (const NamedPath& drawing : subject.drawings) {
@@ -128,7 +129,7 @@ void write_drawings(const Subject& subject, const std::filesystem::path& folder)
   }
 }
 
-/// A picture of each drawing of the gallery; from the second on their names are numbered.
+/// A picture of each drawing of the gallery; names are numbered from the second on.
 void draw_gallery(const Subject& subject, const std::filesystem::path& folder) {
   std::string name = "quality_" + subject.name;
   int number = 1;
@@ -139,7 +140,7 @@ void draw_gallery(const Subject& subject, const std::filesystem::path& folder) {
 }
 
 void measure(const Subject& subject, const Options& options, Measured& measured) {
-  constexpr std::size_t kSubdivided = 120'000;  // faces; twice divided 16 times as many
+  constexpr std::size_t kSubdivided = 120'000;  // faces; two divisions give 16 times as many
   std::printf("%s: %zu drawings\n", subject.name.c_str(), subject.drawings.size());
   std::fflush(stdout);
   if (subject.drawings.empty()) return;

@@ -17,9 +17,9 @@ namespace talweg::quality {
 namespace {
 
 constexpr std::array kRoughness{0.1, 0.3, 0.5, 1.0};
-constexpr std::size_t kApart = 25;       // vertices of a drawing from one click to the next
-constexpr double kNearlyStraight = 0.1;  // what is straight has no ratio
-constexpr double kSamples = 4;  // h₀: the distance of samples on such legs, a sixth of these
+constexpr std::size_t kApart = 25;       // vertices of a drawing between clicks
+constexpr double kNearlyStraight = 0.1;  // a straight curve has no ratio
+constexpr double kSamples = 4;  // h₀: distance of samples on such legs, a sixth of their length
 
 /// Each vertex moved along the normal of the faces around it.
 std::shared_ptr<const OpenedMesh> roughened(const Subject& subject, double deviation) {
@@ -54,7 +54,7 @@ Made through(const std::shared_ptr<const OpenedMesh>& mesh, std::span<const Vert
   SmoothingOptions options;
   options.deviation = DeviationMeasure::kNone;
   smoother.set_curve(drawing);
-  smoother.smooth(options);  // makes what is made once
+  smoother.smooth(options);  // computes data that later runs reuse
   const Stopwatch watch;
   smoother.set_curve(drawing);
   const SmoothingResult result = smoother.smooth(options);

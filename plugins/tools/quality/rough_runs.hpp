@@ -1,4 +1,4 @@
-// Rough runs measure what curves through clicks become when the mesh gets rough.
+// Measures curves through clicks on meshes of growing roughness.
 #pragma once
 
 #include <span>
@@ -9,16 +9,18 @@
 
 namespace talweg::quality {
 
-/// One curve through clicks on a mesh with noise along its normals, beside that on the mesh as it
-/// is. All is measured on the latter, where the same points of the same faces lie; lengths in h₀.
+/// A curve through clicks on a mesh with noise along its normals, compared with the curve on the
+/// smooth mesh. Measures are taken on the smooth mesh, on the same points of the same faces;
+/// lengths in h₀.
 struct RoughRun {
   std::string mesh, drawing;
   double roughness = 0;  ///< standard deviation of the noise
-  double told = 0;       ///< roughness_near in the report
-  double bending = 0;    ///< in windows of 2 h₀, over that of the curve on the mesh as it is
-  double swing = 0;      ///< farthest from the straight legs, over the same of that curve
-  double apart = 0;      ///< from that curve, both ways
-  double time = 0;       ///< of a new drawing and its result, over the same; the ground was there
+  double told = 0;       ///< roughness_near of the report
+  double bending = 0;    ///< in windows of 2 h₀ / bending of the curve on the smooth mesh
+  double swing = 0;      ///< largest distance from the straight legs / the same for that curve
+  double apart = 0;      ///< largest distance from that curve, both ways
+  double time = 0;       ///< time of a new drawing and its result / the same for that curve,
+                         ///< without work done once per mesh
   bool warned = false;
 };
 

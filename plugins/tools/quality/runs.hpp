@@ -1,4 +1,4 @@
-// The runs are what is measured: the default settings, τ swept, and the same shape on finer meshes.
+// Runs and their measures: with default settings, with τ swept, and on finer meshes.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace talweg::quality {
 
-/// One mesh with what is drawn on it.
+/// A mesh with its drawings.
 struct Subject {
   std::string name;
   MeshLists lists;
@@ -20,31 +20,34 @@ struct Subject {
   std::vector<NamedPath> drawings;
 };
 
-/// One drawing at one τ. Lengths in h₀, the mean edge near the drawing; angles in radians.
+/// A drawing at one τ. Lengths in h₀, the mean edge near the drawing; angles in radians.
 struct Run {
   std::string mesh, drawing;
   bool closed = false;
   double edge = 0;  ///< h₀, mesh units
   double tau = 0;
   double bending_before = 0, bending_after = 0;  ///< with h₀
-  double window_turning = 0, largest_turn = 0;   ///< of the result: in one h₀, and at one point
+  double window_turning = 0, largest_turn = 0;   ///< of the result: in a window of h₀, and at one
+                                                 ///< point
   double curvature_before = 0, curvature_after = 0;
-  double least_curvature = 0;                      ///< of closed curves, by Gauss and Bonnet
+  double least_curvature = 0;                      ///< lower bound for closed curves, by Gauss and
+                                                   ///< Bonnet
   double to_drawn = 0, from_drawn = 0, slack = 0;  ///< h₀
   double length_ratio = 0;                         ///< after / before
-  double solve_ms = 0, smooth_ms = 0;              ///< the distance; all that a new τ repeats
+  double solve_ms = 0, smooth_ms = 0;              ///< time of the distance, and of the stages that
+                                                   ///< a new τ repeats
   Outcome termination = Outcome::kConverged;
   bool warned = false;
-  bool touches = false;    ///< itself, at more places than its drawing
-  bool left_taut = false;  ///< all of it or a stretch, with a warning
+  bool touches = false;    ///< the result touches itself at more places than its drawing
+  bool left_taut = false;  ///< the result is taut, wholly or in a stretch, with a warning
 
-  /// Total curvature after / before, both less what no closed curve here can do without.
+  /// Total curvature after / before, both without the lower bound of a closed curve.
   [[nodiscard]] double ratio() const {
     return (curvature_after - least_curvature) / (curvature_before - least_curvature);
   }
 };
 
-/// Every drawing at four τ. `relax_rounds`: of the paper's relaxation.
+/// A run of every drawing at four τ. `relax_rounds` are rounds of the paper's relaxation.
 std::vector<Run> default_runs(const Subject& subject, const CurveOptions& curve_options,
                               int relax_rounds = 0);
 
@@ -58,13 +61,13 @@ struct Sweep {
 };
 Sweep sweep(const Subject& subject, const NamedPath& drawing, const CurveOptions& curve_options);
 
-/// The drawing on the mesh as it is and with every face divided in four once and twice; slack and
-/// characteristic length as on the coarsest.
+/// A drawing on the mesh, and on the mesh with every face divided into four once and twice; slack
+/// and characteristic length as on the coarsest mesh.
 struct Subdivision {
   std::string mesh, drawing;
   double curvature[3] = {};  ///< by level
-  double bending[3] = {};    ///< by level, with h₀ of the coarsest
-  double apart[3] = {};      ///< Hausdorff distance to the coarsest's result, h₀ of the coarsest
+  double bending[3] = {};    ///< by level, in windows of the coarsest mesh's h₀
+  double apart[3] = {};      ///< Hausdorff distance to the coarsest mesh's result, in its h₀
 };
 Subdivision subdivision(const Subject& subject, const NamedPath& drawing, double tau,
                         const CurveOptions& curve_options);

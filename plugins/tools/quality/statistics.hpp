@@ -1,4 +1,4 @@
-// Statistics are ranks and shares of what was measured.
+// Quantiles and shares of measured values.
 #pragma once
 
 #include <span>
@@ -6,10 +6,11 @@
 
 namespace talweg::quality {
 
-/// Linear between the ranks: 0 the least, 0.5 the median, 1 the largest. 0 of nothing.
+/// The quantile with linear interpolation: 0 the least, 0.5 the median, 1 the largest value. 0
+/// without values.
 double quantile(std::vector<double> values, double q);
 
-/// The part of the values that are at most `bound`; 1 of nothing.
+/// The part of the values that are at most `bound`; 1 without values.
 double share_within(std::span<const double> values, double bound);
 
 }  // namespace talweg::quality

@@ -1,4 +1,4 @@
-// The same shape drawn on finer versions of one mesh.
+// Smooths the same drawing on finer versions of one mesh.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@
 namespace talweg::quality {
 namespace {
 
-/// The drawing with the vertices in the middle of its edges, which `finer` has and `mesh` has not.
+/// The drawing with the midpoints of its edges, which are vertices of `finer` only.
 std::vector<VertexId> with_midpoints(const SurfaceMesh& finer, std::size_t vertices,
                                      const NamedPath& drawing) {
   const Surface& surface = finer.surface();

@@ -1,4 +1,4 @@
-// Does the result follow τ without jumps?
+// Measures whether the result depends on τ without jumps.
 #include <algorithm>
 #include <optional>
 

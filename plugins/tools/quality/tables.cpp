@@ -14,7 +14,7 @@
 namespace talweg::quality {
 namespace {
 
-constexpr double kJagged = 25;  // rad; drawings that turn less are smooth already
+constexpr double kJagged = 25;  // rad; a drawing that turns less is already smooth
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -58,7 +58,7 @@ std::vector<Run> picked(std::span<const Run> runs, const std::function<bool(cons
   return result;
 }
 
-// What one τ costs says little, since the default keeps what it finds for the others.
+// The time of a single τ says little, since later τ reuse results of the first.
 std::string times(const std::string& name, std::span<const Run> runs) {
   std::vector<double> solve, smooth;
   double last = HUGE_VAL;

@@ -1,4 +1,4 @@
-// The tables show what was measured.
+// Tables of the measures.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace talweg::quality {
 
-/// Whether the drawing turns by 25 rad or more. Others count nowhere where curvature is compared.
+/// Whether the drawing turns by 25 rad or more. Other drawings are left out where curvature is
+/// compared.
 bool jagged(const Run& run);
 
 /// Every run, as comma-separated values.
@@ -16,8 +17,9 @@ std::string csv(std::span<const Run> runs);
 
 /// As Markdown.
 std::string tables(std::span<const Run> runs);
-/// Three rows each: the defaults, and the same drawings with the paper's potential, without and
-/// with its relaxation; then what they cost. Meshes without runs of the latter are left out.
+/// Three rows for each mesh: the defaults, and the same drawings with the paper's potential,
+/// without and with its relaxation; then their times. Meshes without runs of the paper's potential
+/// are left out.
 std::string side_by_side(std::span<const Run> defaults, std::span<const Run> paper,
                          std::span<const Run> relaxed);
 std::string tables(std::span<const Sweep> sweeps);

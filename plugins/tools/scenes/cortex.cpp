@@ -29,7 +29,7 @@ Field cortex() {
   return [](const Point& p) {
     double d = ellipsoid(p, {0.10, 0, 0}, {0.72, 0.80, 1.12});
     d = smooth_union(d, ellipsoid(p, {0.34, -0.46, 0.30}, {0.32, 0.28, 0.66}), 0.14);
-    const double other_half = p.x() - 0.02;  // negative there
+    const double other_half = p.x() - 0.02;  // negative inside
     return -smooth_union(-d, other_half, 0.16) + grooves(p);
   };
 }
@@ -47,11 +47,13 @@ DemoScene cortex_scene() {
 }
 
 std::vector<int> cortex_parcels(const MeshLists& cortex) {
-  // Each face belongs to the nearest of some places, measured in a bent space.
+  // Each face belongs to the nearest of some places, measured in a distorted space.
   constexpr std::size_t kParcels = 26;
   Random random(53);
   std::vector<Point> places;
-  for (int tries = 0; places.size() < kParcels && tries < 100000; ++tries) {  // apart
+  for (int tries = 0; places.size() < kParcels && tries < 100000; ++tries) {  // at a minimum
+                                                                              // distance from each
+                                                                              // other
     const auto v =
         static_cast<std::size_t>(random.unit() * static_cast<double>(cortex.points.size()));
     const bool near = std::any_of(places.begin(), places.end(), [&](const Point& other) {

@@ -45,7 +45,7 @@ Field figure() {
     d = smooth_union(d, limbs(right, arm, leg), 0.09);
     d = smooth_union(d, limbs(mirrored(p), arm, leg), 0.09);
     d = smooth_union(d, ellipsoid(p, {0, -0.72, -0.55}, {0.16, 0.16, 0.16}), 0.08);
-    // Pressed by fingers, and the grain of the clay.
+    // Dents of fingers, and the grain of the clay.
     return d + 0.030 * fractal_noise(3.7 * p, 2, 101) + 0.012 * noise(9 * p, 131) +
            0.003 * noise(20 * p, 151);
   };

@@ -18,7 +18,7 @@ constexpr double kUnusual = 1.6;
 constexpr int kAttempts = 100, kWaves = 12, kSmoothed = 10, kRest = 60;
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// A place of a way, with the directions to its left and away from the surface.
+/// A place of a path, with the directions to its left and away from the surface.
 struct Place {
   Point at, side, normal;
 };
@@ -75,7 +75,9 @@ HandStroke::HandStroke(const SurfaceMesh& mesh, const Hand& hand, std::uint64_t 
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const FaceId face{static_cast<std::size_t>(random.unit() * static_cast<double>(faces))};
     const double ratio = mean_side(mesh.surface(), face) / mesh.mean_edge_length();
-    if (ratio < 1 / kUnusual || ratio > kUnusual) continue;  // lengths are in its edges
+    if (ratio < 1 / kUnusual || ratio > kUnusual)
+      continue;  // lengths of the hand are in the mean
+                 // edge there
     const double heading = random.in(0, kTurn);
     const bool found = hand.radius > 0 ? go_round(mesh, face, heading) : walk(mesh, face, heading);
     if (!found) continue;
@@ -110,7 +112,7 @@ bool HandStroke::walk(const SurfaceMesh& mesh, FaceId face, double heading) {
   return true;
 }
 
-/// The ends of straight ways from one point in all directions.
+/// The ends of straight paths from one point in all directions.
 bool HandStroke::go_round(const SurfaceMesh& mesh, FaceId face, double heading) {
   const Surface& surface = mesh.surface();
   edge_ = mean_side(surface, face);
@@ -128,7 +130,7 @@ bool HandStroke::go_round(const SurfaceMesh& mesh, FaceId face, double heading) 
     if (!(end.walked >= 0.99 * hand_.radius * edge_)) return false;
     const Place place = place_of(mesh, end.at, turned(end.direction, kTurn / 4));
     const bool jumps = !way_.empty() && (place.at - way_.back()).norm() > 5 * kFine * edge_;
-    if (jumps) return false;  // where ways meet behind a hill
+    if (jumps) return false;  // the circle has a gap behind a hill
     way_.push_back(place.at);
     side_.push_back(place.side);
     normal_.push_back(place.normal);
@@ -155,7 +157,7 @@ void HandStroke::tremble() {
   }
 }
 
-/// Where the hand is after so many edges of its way.
+/// The position of the hand after this many edges of its path.
 Point HandStroke::at(double along) const {
   const double place = std::clamp(along / kFine, 0.0, static_cast<double>(drawn_.size() - 1));
   const auto k = std::min(static_cast<std::size_t>(place), drawn_.size() - 2);

@@ -1,4 +1,4 @@
-// A hand draws strokes on any mesh, as tablets, mice and trackers give them.
+// Strokes of a hand on any mesh, as tablets, mice and trackers sample them.
 #pragma once
 
 #include <cstdint>
@@ -8,39 +8,38 @@
 
 namespace talweg::scenes {
 
-/// How a hand moves. Lengths in edges of the mesh, as long as they are where it begins.
+/// A hand's movement. Lengths in edges of the mesh, measured at the beginning of the path.
 struct Hand {
-  double length = 60;      ///< of its way
-  double bend = 0.06;      ///< radians per edge at most: how strongly the way bends
-  double amplitude = 0.6;  ///< of its trembling, across the way
+  double length = 60;      ///< of the path
+  double bend = 0.06;      ///< radians per edge: the largest bend of the path
+  double amplitude = 0.6;  ///< of the tremor, across the path
   double wave = 2.5;       ///< wave lengths are between once and twice this
-  double radius = 0;       ///< above 0: the way is a circle about a point, of this radius
-  double over = 0;  ///< of a circle: how far the end runs over the beginning; may be negative
+  double radius = 0;       ///< above 0: the path is a circle of this radius about a point
+  double over = 0;  ///< of a circle: the overlap of its end with its beginning; may be negative
 };
 
-/// How a device samples it. Lengths in edges.
+/// A device's sampling of the path. Lengths in edges.
 struct Sampling {
-  double step = 0.1;       ///< distance of samples along the way
+  double step = 0.1;       ///< distance of samples along the path
   double uneven = 1;       ///< steps vary between step / uneven and step · uneven
   double jitter = 0;       ///< of each coordinate of each sample, normally distributed
-  double off = 0;          ///< distance of a tracker from the surface, changing slowly up to this
+  double off = 0;          ///< largest distance of a tracker from the surface, changing slowly
   std::size_t rests = 0;   ///< places at which 60 samples are taken within 0.004
   std::size_t spikes = 0;  ///< samples that lie 12 away
-  double hook = 0;         ///< the end goes back beside itself so far
+  double hook = 0;         ///< length by which the end goes back beside itself
   bool doubled = false;    ///< every sample is given twice
 };
 
-/// A way on a mesh, and what a hand and a device make of it. The same seed is the same hand.
+/// A path on a mesh, and samples of it. Equal seeds give equal hands.
 class HandStroke {
  public:
-  /// Begins at a random place from which there is a way of that length; `is_drawn()` says whether
-  /// one was found.
+  /// Begins at a random place with a path of this length; `is_drawn()` tells whether one was found.
   HandStroke(const SurfaceMesh& mesh, const Hand& hand, std::uint64_t seed);
 
   [[nodiscard]] bool is_drawn() const { return !way_.empty(); }
-  /// The way that was meant: positions a tenth of an edge apart.
+  /// The intended path: positions a tenth of an edge apart.
   [[nodiscard]] const std::vector<Point>& way() const { return way_; }
-  /// The edge that all lengths are measured in, mesh units.
+  /// The edge that is the unit of all lengths, mesh units.
   [[nodiscard]] double edge() const { return edge_; }
   /// Positions in space.
   [[nodiscard]] std::vector<Point> sampled(const Sampling& sampling) const;

@@ -15,7 +15,7 @@
 namespace talweg::scenes {
 namespace {
 
-// The lattice: corners of cubic cells and the cells' centres, each of them with its field value.
+// The lattice: corners of cubic cells and the cells' centres, each with its field value.
 struct Lattice {
   std::array<std::size_t, 3> size;  // corners along each axis
   Point low;
@@ -49,7 +49,7 @@ class Marcher {
     for (const std::size_t node : tet) inside += lattice_.value[node] < 0;
     if (inside == 0 || inside == 4) return;
     orient(tet);
-    // Nodes inside come first, keeping the orientation by an even number of swaps.
+    // Nodes inside are sorted first, by an even number of swaps, which keeps the orientation.
     std::array<std::size_t, 4> t = tet;
     int swaps = 0;
     for (std::size_t a = 0; a < 4; ++a) {
@@ -104,7 +104,7 @@ class Marcher {
         vertices_.try_emplace(key, static_cast<std::uint32_t>(mesh_.points.size()));
     if (fresh) {
       const double u = lattice_.value[low], v = lattice_.value[high];
-      // Kept away from the ends, so that no triangle collapses.
+      // Kept away from the ends of the edge, so that no triangle collapses.
       const double t = std::clamp(u / (u - v), 0.12, 0.88);
       mesh_.points.push_back((1 - t) * lattice_.position(low) + t * lattice_.position(high));
     }
@@ -113,7 +113,8 @@ class Marcher {
 
   const Lattice& lattice_;
   MeshLists mesh_;
-  std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // looked up only, never walked
+  std::unordered_map<std::uint64_t, std::uint32_t> vertices_;  // used only for lookups, so its
+                                                               // order does not matter
 };
 
 Lattice sample(const Field& field, const Point& low, const Point& high, double cell) {
@@ -129,7 +130,7 @@ Lattice sample(const Field& field, const Point& low, const Point& high, double c
   return lattice;
 }
 
-// Cuts off faces that hang on one edge only, as a boundary of tetrahedra leaves them: they would
+// Removes faces that are joined by one edge only, as the boundary of tetrahedra has: they would
 // become slivers when the boundary is smoothed.
 void cut_ears(MeshLists& mesh) {
   for (std::size_t before = 0; before != mesh.triangles.size();) {

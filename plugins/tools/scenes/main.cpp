@@ -33,7 +33,7 @@ void write_scenes(const std::filesystem::path& folder, const std::vector<DemoSce
   }
 }
 
-/// NAME.ply, NAME.json with the drawing, and cases.csv with a line for each.
+/// Writes NAME.ply, NAME.json with the drawing, and cases.csv with a line for each patient.
 void write_patients(const std::filesystem::path& folder, std::size_t count) {
   std::filesystem::create_directories(folder);
   const Patients patients;
@@ -55,7 +55,7 @@ void write_patients(const std::filesystem::path& folder, std::size_t count) {
   write_bytes(folder / "cases.csv", cases);
 }
 
-/// On what --repair makes of the file's mesh, where it has to; in the file's numbers.
+/// Way-points on the file's mesh, or on its repaired copy if it needs one; in the file's indices.
 Waypoints waypoints_on(const std::string& path) {
   const MeshLists lists = read_mesh(path);
   if (inspect(lists).verdict == MeshVerdict::kUsable) return waypoints_across(lists);

@@ -1,4 +1,4 @@
-// Noise is a smooth random function of space.
+// A smooth random function of space.
 #pragma once
 
 #include <cstdint>

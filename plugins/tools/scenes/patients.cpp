@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kSizes = 10;
 constexpr double kFacesOfOne = 5000, kDemoFaces = 60146;
-constexpr int kClicks = 9;  // few enough that no leg is in the way of another on the coarsest
+constexpr int kClicks = 9;  // few enough that legs do not collide on the coarsest mesh
 
-/// Moves along a smooth random field: wide bends, and dents of a few triangles.
+/// Moves a point along a smooth random field: wide bends, and dents of a few triangles.
 Point deformed(const Point& p, std::uint64_t seed) {
   const auto field = [&](double frequency, std::uint64_t which) {
     return Point(noise(frequency * p, 3 * which), noise(frequency * p, 3 * which + 1),

@@ -1,4 +1,4 @@
-// Patients are many vessels, each with a drawing, for runs over whole data sets.
+// Many vessels, each with a drawing, for runs over whole data sets.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace talweg::scenes {
 
-/// Vessels of ten resolutions, 5,000 to 50,000 faces, each bent and dented in its own way, with a
-/// drawing of its own. The same for a number on every run.
+/// Vessels of ten resolutions, 5,000 to 50,000 faces, each bent and dented differently, with its
+/// own drawing. Equal numbers give equal vessels.
 class Patients {
  public:
   /// Makes the ten meshes; takes seconds.
   Patients();
-  /// Named "vessel" and the number in five digits.
+  /// The name is "vessel" and the number in five digits.
   [[nodiscard]] DemoScene scene(std::size_t number) const;
 
  private:

@@ -1,4 +1,4 @@
-// The PLY writer writes meshes to files.
+// Writes meshes as PLY files.
 #pragma once
 
 #include <filesystem>

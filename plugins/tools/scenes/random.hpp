@@ -1,4 +1,4 @@
-// The random generator is small, and its numbers are the same everywhere.
+// A small random generator with the same numbers on every machine.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 namespace talweg::scenes {
 namespace {
 
-// Neighbours of each vertex: at the boundary only those along it.
+// Neighbours of each vertex; of a boundary vertex only its neighbours along the boundary.
 std::vector<std::vector<std::uint32_t>> neighbor_lists(const MeshLists& mesh) {
   std::vector<std::vector<std::uint32_t>> out(mesh.points.size()), result(mesh.points.size());
   for (const Triangle& t : mesh.triangles) {

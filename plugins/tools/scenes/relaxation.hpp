@@ -1,4 +1,4 @@
-// Relaxation gives triangles a better shape.
+// Improves the shape of triangles.
 #pragma once
 
 #include "tools/scenes/solids.hpp"

@@ -11,7 +11,7 @@ std::vector<DemoScene> demo_scenes() { return {vessel_scene(), figure_scene(), t
 
 std::vector<DemoScene> gallery_scenes() {
   DemoScene terrain = terrain_scene();
-  // Its ends go on to the nearest point of the boundary, that is of the first and last row.
+  // Its ends are extended to the nearest vertices of the boundary's first and last row.
   auto& through = terrain.through.vertices;
   const auto on_side = [&](const Point& from, double y) {
     std::uint32_t best = 0;

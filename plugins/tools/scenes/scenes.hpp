@@ -1,4 +1,4 @@
-// Scenes are realistic meshes with a jagged curve on each, made from nothing.
+// Generates realistic meshes with a jagged curve on each.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ struct DemoScene {
   Waypoints through;
 };
 
-/// A blood vessel with a bifurcation and an aneurysm, as a segmentation gives it, cut open where it
-/// leaves the scanned volume; the curve goes round the aneurysm's neck. About 60,000 faces.
+/// A blood vessel with a bifurcation and an aneurysm, as from a segmentation, open where it leaves
+/// the scanned volume; the curve goes around the aneurysm's neck. About 60,000 faces.
 DemoScene vessel_scene();
 /// A closed, bumpy clay figure with limbs; the curve runs across the bumps like a sash. About
 /// 80,000 faces.
@@ -26,16 +26,16 @@ DemoScene figure_scene();
 /// faces.
 DemoScene terrain_scene();
 
-/// All of them, in this order. The same bytes on every run.
+/// All demo scenes, in this order, with the same bytes on every run.
 std::vector<DemoScene> demo_scenes();
 
 /// The lower end of a thigh bone; the curve is a resection line drawn around it by hand. About
 /// 82,000 faces.
 DemoScene bone_scene();
-/// A folded surface as of a brain, without a curve. About 43,000 faces.
+/// A folded surface like a brain, without a curve. About 43,000 faces.
 DemoScene cortex_scene();
-/// One label for each face of the cortex, from 1: regions as a segmentation gives them, whose
-/// borders run jagged along edges.
+/// A label for each face of the cortex, from 1: regions as from a segmentation, whose borders are
+/// jagged along edges.
 std::vector<int> cortex_parcels(const MeshLists& cortex);
 
 /// The scenes of ./run gallery: vessel, bone, cortex, and the terrain with a border that runs from

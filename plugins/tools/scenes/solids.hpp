@@ -1,4 +1,4 @@
-// Solids are implicit: functions that are negative inside and grow like a distance.
+// Implicit solids: functions that are negative inside and grow like a distance.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,8 @@ class Tube {
     Point center;
     double radius;
   };
-  /// The balls are joined by a smooth curve (Catmull-Rom) of `steps` pieces between each two.
+  /// The balls are joined by a smooth curve (Catmull-Rom) with `steps` pieces between consecutive
+  /// balls.
   explicit Tube(const std::vector<Ball>& balls, int steps = 6);
   [[nodiscard]] double operator()(const Point& p) const;
 

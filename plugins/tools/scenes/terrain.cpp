@@ -18,7 +18,8 @@ double river(double y) {
   return 0.50 + 0.13 * std::sin(6.0 * y + 0.6) + 0.05 * std::sin(15.0 * y + 2.0);
 }
 
-// Metres over (x, y) in units of the side: ridges, hills, and a valley along the river.
+// Elevation in metres over (x, y) in units of the side: ridges, hills, and a valley along the
+// river.
 double elevation(double x, double y) {
   const Point p(x, y, 0.5);
   const Point bent = 3.0 * p + 0.45 * Point(noise(3 * p, 3), noise(3 * p, 4), 0);
@@ -72,7 +73,7 @@ DemoScene terrain_scene() {
   for (int j = 0; j < kRow; ++j) {
     for (int i = 0; i < kRow; ++i) {
       const bool inner_x = i > 0 && i<kCells, inner_y = j> 0 && j < kCells;
-      // Rows are shifted against each other by half a cell, then every point is moved.
+      // Rows are shifted against each other by half a cell, then every point is moved at random.
       const double shift = inner_x ? (j % 2 == 0 ? 0.25 : -0.25) : 0;
       const double x = i + (inner_x ? shift + random.in(-0.24, 0.24) : 0);
       const double y = j + (inner_y ? random.in(-0.3, 0.3) : 0);

@@ -15,10 +15,11 @@
 namespace talweg::scenes {
 namespace {
 
-const Point kNeck(0.05, 0.36, 0.05);  // where the aneurysm leaves the vessel
-const Point kDome(0.20, 0.86, 0.18);  // its middle
+const Point kNeck(0.05, 0.36, 0.05);  // centre of the aneurysm's neck
+const Point kDome(0.20, 0.86, 0.18);  // centre of the aneurysm
 
-// Lengths are about centimetres: a parent vessel from below, two branches, an aneurysm on the fork.
+// Lengths are about centimetres: a parent vessel from below, two branches, and an aneurysm on the
+// fork.
 Field vessel() {
   const Tube parent({{{0.28, -1.75, -0.10}, 0.215},
                      {{0.10, -1.35, 0.02}, 0.22},
@@ -56,13 +57,13 @@ Field vessel() {
     sac = smooth_union(sac, ellipsoid(p, {0.47, 1.10, 0.30}, {0.19, 0.18, 0.18}), 0.10);
     sac = smooth_union(sac, ellipsoid(p, {-0.06, 1.08, 0.32}, {0.15, 0.14, 0.15}), 0.10);
     d = smooth_union(d, smooth_union(neck(p), sac, 0.12), 0.10);
-    // Uneven walls, and the roughness that segmented images have.
+    // Uneven walls, and the roughness of segmented images.
     return d + 0.030 * fractal_noise(2.6 * p, 2, 11) + 0.007 * noise(13 * p, 23) +
            0.0030 * noise(34 * p, 37);
   };
 }
 
-// Where a ray from inside leaves the solid.
+// The point where a ray from inside leaves the solid.
 Point surface_along(const Field& field, const Point& start, const Point& direction) {
   double t = 0;
   while (t < 2 && field(start + t * direction) < 0) t += 0.004;

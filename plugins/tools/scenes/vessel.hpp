@@ -1,4 +1,4 @@
-// The vessel of the demo, at any resolution.
+// The demo's vessel, at any resolution.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace talweg::scenes {
 
-/// The demo's, in centimetres; 60,146 faces.
+/// The demo's cell size, centimetres; gives 60,146 faces.
 inline constexpr double kVesselCell = 0.0455;
 
-/// The vessel in triangles of about this size. The number of faces goes with 1 / cell².
+/// The vessel with triangles of about this size. The number of faces is proportional to 1 / cell².
 MeshLists vessel_mesh(double cell);
 
 /// A closed line by a trembling hand around the neck of its aneurysm.

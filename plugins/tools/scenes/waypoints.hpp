@@ -1,4 +1,4 @@
-// Way-points are vertices that a hand might click on.
+// Vertices that a hand might click on.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ MeshLists largest_component(const MeshLists& mesh);
 
 /// An open, trembling line across the largest component of any mesh: from one end to the other
 /// along a shortest edge path between two vertices far apart, with the middle 70 % kept and points
-/// moved sideways by a few edges. Deterministic. O(faces log faces).
-/// Throws Error(kBadMesh) when the mesh has no faces or is too small to draw on.
+/// moved sideways by a few edges. Deterministic. O(faces log faces). Throws Error(kBadMesh) if the
+/// mesh has no faces or is too small to draw on.
 Waypoints waypoints_across(const MeshLists& mesh, std::uint64_t seed = 1);
 
 }  // namespace talweg::scenes

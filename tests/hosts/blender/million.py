@@ -1,4 +1,5 @@
-"""Times of the tool and of a curve object's values on a large mesh. No test: it prints a table.
+"""Times of the tool and of a curve object's values on a large mesh. This program is no test: it prints a
+table.
 
 blender --background --factory-startup --python tests/hosts/blender/million.py -- ADDON.zip MESH.ply
 """
@@ -25,7 +26,7 @@ _ROUNDS = 9
 
 
 def told(what, function, rounds=_ROUNDS):
-    """Best of some rounds: seconds on the clock, and of the processor in all threads."""
+    """The best of some rounds: seconds of the clock, and of the processor in all threads."""
     clock, processor = [], []
     for number in range(rounds):
         begun = time.perf_counter(), time.process_time()
@@ -36,7 +37,7 @@ def told(what, function, rounds=_ROUNDS):
 
 
 def from_above(obj):
-    """A view that fits the object, 1,000 pixels wide, and the middle of it."""
+    """A view that fits the object, 1,000 pixels wide, and the object's middle."""
     corners = np.array([corner[:] for corner in obj.bound_box])
     low, high = corners.min(axis=0), corners.max(axis=0)
     scale = 2 / (high - low).max()
@@ -71,7 +72,8 @@ told("tau by the wheel, until it is seen", lambda k: (work.turn(1 if k % 2 else 
 
 
 def waits(number):
-    """What the window waits for: the request, and showing the answer; the thread works between."""
+    """The time that blocks the window: sending the request, and showing the answer. The thread works in
+    between."""
     global waited  # pylint: disable=global-statement
     start = time.perf_counter()
     work.turn(1 if number % 2 else -1)
@@ -106,7 +108,7 @@ def value(number):
 told("first value in the sidebar", value, 1)
 told("a value in the sidebar", value)
 
-# In edit mode, where Blender's own step back to the mesh takes seconds.
+# In edit mode, where Blender's own undo step of the mesh takes seconds.
 bpy.data.objects.remove(curve)
 found = session.surface_of(bpy.context, obj, False).mesh().draw(
     [int(np.abs(scene.vertices_of(obj) - p).sum(axis=1).argmin()) for p in line.positions[[0, -1]]])

@@ -14,7 +14,7 @@ def empty():
 
 
 def add_mesh(vertices, polygons, name="Mesh"):
-    """The active object of it; its vertices are rounded to single precision."""
+    """Makes the active object of a mesh; its vertices are rounded to single precision."""
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(np.asarray(vertices).tolist(), [], np.asarray(polygons).tolist())
     obj = bpy.data.objects.new(name, mesh)
@@ -25,7 +25,7 @@ def add_mesh(vertices, polygons, name="Mesh"):
 
 
 def select_edges(obj, path, closed=False):
-    """Edit mode, with the edges from each vertex of the path to the next selected."""
+    """Selects, in edit mode, the edges from each vertex of the path to the next."""
     bpy.context.view_layer.objects.active = obj
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_mode(type="EDGE")
@@ -39,7 +39,7 @@ def select_edges(obj, path, closed=False):
 
 
 def annotate(strokes, mode="3DSPACE"):
-    """Strokes of the annotation tool: lists of positions in the world."""
+    """Adds strokes of the annotation tool: lists of positions in the world."""
     data = bpy.data.grease_pencils.new("Annotations")
     bpy.context.scene.grease_pencil = data
     layer = data.layers.new("Note", set_active=True)
@@ -53,7 +53,7 @@ def annotate(strokes, mode="3DSPACE"):
 
 
 def vertices_of(obj):
-    """As single precision keeps them."""
+    """The vertices in single precision, as Blender stores them."""
     values = np.empty((len(obj.data.vertices), 3), np.float32)
     obj.data.vertices.foreach_get("co", values.ravel())
     return values

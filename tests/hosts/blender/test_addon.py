@@ -1,4 +1,4 @@
-"""The operators: the driver's results bit for bit, curve objects, cuts, errors, what is kept."""
+"""The operators: the driver's results bit for bit, curve objects, cuts, errors, and kept surfaces."""
 
 import json
 import tempfile
@@ -35,7 +35,7 @@ class Addon(unittest.TestCase):
         return session.last_result()
 
     def driver(self, faces, drawn, *options):
-        """The driver's curve on the mesh as Blender keeps it."""
+        """The driver's curve on the mesh with Blender's rounded vertices."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             support.write_obj(folder / "mesh.obj", scene.vertices_of(self.obj), faces)
@@ -78,7 +78,7 @@ class Addon(unittest.TestCase):
         result = talweg.smooth(support.hills(), self.drawn)
         parameters.show_used(panel, result.total)
         self.assertEqual((panel.slack, panel.max_deviation), (result.total.slack, 1))
-        panel.slack = 0.25  # typed
+        panel.slack = 0.25  # as typed by a user
         parameters.show_used(panel, result.total)
         self.assertEqual(panel.slack, 0.25)
 
@@ -90,7 +90,7 @@ class Addon(unittest.TestCase):
         result = self.smooth(tau=2)
         self.assertTrue(result.curve.closed)
         self.assertTrue(curve_objects()[0].data.splines[0].use_cyclic_u)
-        # Where a loop begins and which way it runs is not in a selection: the add-on decides.
+        # A selection of edges has neither a beginning nor a direction of a loop: the add-on chooses both.
         self.obj.update_from_editmode()
         drawn = drawings.selected_edges(self.obj.data).curves[0].vertices
         self.assertEqual(sorted(drawn), sorted(support.ring()))
@@ -176,10 +176,10 @@ class Addon(unittest.TestCase):
         result = self.smooth(tau=1, output="EDGES")
         bpy.ops.object.mode_set(mode="OBJECT")
         mesh = self.obj.data
-        self.assertFalse(mesh.validate())  # True would say that something had to be mended
+        self.assertFalse(mesh.validate())  # True would mean that Blender had to repair the mesh
         self.assertEqual(len(curve_objects()), 0)
         self.assertEqual(len(mesh.vertices) - len(mesh.edges) + len(mesh.polygons), before[0])
-        if not quads:  # quads of a curved surface are no planes
+        if not quads:  # quads of a curved surface are not planar
             self.assertAlmostEqual(area(self.obj) / before[1], 1, places=4)
         chosen = [edge for edge in mesh.edges if edge.select]
         xyz = scene.vertices_of(self.obj).astype(float)
@@ -188,7 +188,7 @@ class Addon(unittest.TestCase):
         ends = np.bincount([v for e in chosen for v in e.vertices])
         self.assertEqual(np.count_nonzero(ends == 1), 0 if closed else 2)
         self.assertEqual(ends.max(), 2)
-        # The cut is a drawing again, of the same points.
+        # The edges of the cut are a drawing of the same points.
         on_curve = xyz[np.nonzero(ends)[0]]
         nearest = np.abs(on_curve[:, None] - result.curve.positions[None]).max(2).min(1)
         self.assertLess(nearest.max(), 1e-5)
@@ -257,7 +257,7 @@ class Addon(unittest.TestCase):
 
 
 class Errors(unittest.TestCase):
-    """The host's own kind of error with the library's sentence; Blender goes on."""
+    """Blender's kind of error with the library's sentence; Blender continues."""
 
     def setUp(self):
         scene.empty()

@@ -1,11 +1,11 @@
-"""Offset curves of curve objects; expected lengths are those of the plane, worked out by hand."""
+"""Offset curves of curve objects; expected lengths are computed by hand in the plane."""
 
 import math
 import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import session, told
+from talweg_blender import last_report, session
 
 import scene
 
@@ -21,7 +21,7 @@ def sheet():
 
 
 def line(ends):
-    """A selected curve object from one point straight to the other."""
+    """A selected curve object, a straight line between two points."""
     data = bpy.data.curves.new("Line", "CURVE")
     data.dimensions = "3D"
     spline = data.splines.new("POLY")
@@ -59,7 +59,7 @@ class Offset(unittest.TestCase):
         points = scene.spline_points_of(spline)
         ahead = np.clip(points[:, 0], 20, 40)
         np.testing.assert_allclose(np.hypot(points[:, 0] - ahead, points[:, 1] - 30), 3, atol=1e-5)
-        self.assertRegex(told.of(self.obj)[0], "^1 curve at 3 m along the surface, length 58.8")
+        self.assertRegex(last_report.of(self.obj)[0], "^1 curve at 3 m along the surface, length 58.8")
 
     def test_one_side_and_several_distances(self):
         self.assertEqual(bpy.ops.talweg.offset(distance=2, count=3, side="left"), {"FINISHED"})
@@ -82,14 +82,15 @@ class Offset(unittest.TestCase):
         self.assertAlmostEqual(sum(areas), 3600, delta=0.01)
 
     def test_without_a_distance_it_is_three_edges(self):
-        """As mesh units say nothing of a mesh of any size: two sides of 1 and a diagonal."""
+        """The default distance suits meshes of any size: three mean edges, here of two sides of 1 and a
+        diagonal."""
         self.assertEqual(bpy.ops.talweg.offset(), {"FINISHED"})
         reach = 3 * (2 + math.sqrt(2)) / 3
         points = scene.spline_points(self.made())
         self.assertAlmostEqual(points[:, 1].max(), 30 + reach, delta=1e-3)
 
     def test_of_an_active_curve(self):
-        """A smoothed curve is enough: its mesh is known, and so is the exact curve."""
+        """An active smoothed curve is enough, since it has its mesh and the exact curve."""
         self.line.select_set(False)
         scene.select_edges(self.obj, [30 * N + k for k in range(20, 41)])
         bpy.ops.talweg.smooth_edges()

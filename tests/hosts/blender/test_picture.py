@@ -1,5 +1,5 @@
-"""From a file to a rendered picture: a generated figure, a drawing along its edges, the smoothed curve; and a
-textured mesh taken apart."""
+"""From a file to a rendered picture: a generated figure, a drawing along its edges, and the smoothed curve;
+and the pieces of a textured mesh."""
 
 import os
 import subprocess
@@ -49,7 +49,8 @@ def add_sun(towards, strength, shadow=True):
 
 
 def render(path):
-    """By Cycles on the processor: needs no display and no graphics card. The pixels, (h, w, 3)."""
+    """Renders with Cycles on the processor, without a display or graphics card. Returns the pixels, (h, w,
+    3)."""
     settings = bpy.context.scene
     settings.render.engine = "CYCLES"
     settings.cycles.device = "CPU"
@@ -66,7 +67,7 @@ def render(path):
     settings.render.filepath = str(path)
     world = bpy.data.worlds.new("World")
     world.color = (0.95, 0.95, 0.95)
-    world.cycles_visibility.diffuse = world.cycles_visibility.glossy = False  # background only
+    world.cycles_visibility.diffuse = world.cycles_visibility.glossy = False  # only the background
     settings.world = world
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(str(path))
@@ -121,7 +122,7 @@ class Picture(unittest.TestCase):
         self.assertGreater(np.std(green), 0.05)
 
     def test_texture_of_pieces(self):
-        """docs/pictures/blender_pieces.png: the texture goes on across the gap, without a jump."""
+        """docs/pictures/blender_pieces.png: the texture continues across the gap."""
         pieces = test_pieces.textured_pieces()
         self.assertEqual(len(pieces), 2)
         together = self.render_pieces("together.png")
@@ -152,5 +153,5 @@ class Picture(unittest.TestCase):
         distance = 2.3 * float(np.linalg.norm(xyz - centre, axis=1).max())
         look_at(Vector(centre), towards, distance)
         add_sun(towards * 0.6 + Vector((0, 0, 1)).cross(towards), 2.2)
-        # From the other side, without shadows of its own.
+        # A light from the other side, without shadows.
         add_sun(towards - Vector((0, 0, 1)).cross(towards) * 0.5, 1.0, shadow=False)

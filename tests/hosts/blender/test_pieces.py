@@ -1,10 +1,10 @@
-"""Cutting, separating, borders of materials and vertex groups, repair: all that a mesh has survives."""
+"""Cuts, separation, borders of materials and vertex groups, and repair keep all data of a mesh."""
 
 import unittest
 
 import bpy
 import numpy as np
-from talweg_blender import attributes, jobs, objects, session, told
+from talweg_blender import attributes, jobs, last_report, objects, session
 from talweg_blender.naming import named
 from talweg_blender.package import talweg
 
@@ -24,7 +24,8 @@ def uv_of(points):
 
 
 def dressed(obj):
-    """UV map, vertex group, colours, two materials, a seam, sharp edges, a crease, smooth faces."""
+    """Adds a UV map, a vertex group, colours, two materials, a seam, sharp edges, a crease and smooth
+    faces."""
     mesh = obj.data
     xyz = scene.vertices_of(obj)
     at_loops = xyz[attributes.read(mesh.loops, "vertex_index", 1, np.int32)]
@@ -74,7 +75,7 @@ def across(low=0.0, high=59.0):
 
 
 def textured():
-    """The hills in a grid of colours."""
+    """The hills with a grid of colours."""
     obj = scene.add_mesh(support.hills()[0], quads())
     dressed(obj)
     image = bpy.data.images.new("Grid", 512, 512)
@@ -90,7 +91,7 @@ def textured():
 
 
 def textured_pieces():
-    """The same, taken apart along a wave."""
+    """The pieces of textured() along a wave."""
     textured()
     line = across()
     bpy.ops.talweg.separate()
@@ -106,7 +107,7 @@ class Dressed(unittest.TestCase):
         dressed(self.obj)
 
     def check(self, obj, seams=True):
-        """What dressed() put there, wherever the vertices are now."""
+        """Checks the data of dressed() by the places of the vertices."""
         mesh = obj.data
         self.assertFalse(mesh.validate())
         xyz = scene.vertices_of(obj)
@@ -167,7 +168,7 @@ class Meshes(Dressed):
         self.assertLess(off.max(), 0.05)
         self.assertEqual((np.bincount(ends.ravel()) == 1).sum(), 2)  # one line from side to side
         totals = attributes.read(mesh.polygons, "loop_total", 1, np.int32)
-        self.assertGreater((totals == 4).sum(), 59 * 59 - 250)  # what is not cut stays as it was
+        self.assertGreater((totals == 4).sum(), 59 * 59 - 250)  # polygons away from the cut stay
         self.assertAlmostEqual(sum(p.area for p in mesh.polygons) / area, 1, places=3)
         weights = self.weights(self.obj)
         inner = (xyz[:, 0] > 31) | (xyz[:, 0] < 30)
@@ -195,7 +196,7 @@ class Meshes(Dressed):
         ours = result.positions.astype(np.float32)
         np.testing.assert_array_equal(points[np.lexsort(points.T)], ours[np.lexsort(ours.T)])
 
-        # Again: the mesh is another one now, and has the curve already.
+        # A second cut, of the cut mesh, which already has the curve.
         before = len(self.obj.data.vertices), len(self.obj.data.polygons)
         self.assertEqual(bpy.ops.talweg.cut(), {"FINISHED"})
         self.check(self.obj)
@@ -248,7 +249,7 @@ class Meshes(Dressed):
     def test_repair(self):
         bpy.ops.object.select_all(action="DESELECT")
         self.obj.select_set(True)
-        bpy.ops.object.mode_set(mode="EDIT")  # every face for itself, one turned
+        bpy.ops.object.mode_set(mode="EDIT")  # separate faces, one of them inverted
         bpy.ops.mesh.select_all(action="SELECT")
         bpy.ops.mesh.edge_split(type="EDGE")
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -262,7 +263,7 @@ class Meshes(Dressed):
         self.assertTrue((normals[:, 2] > 0).all() or (normals[:, 2] < 0).all())
 
     def test_vertices_that_nearly_coincide(self):
-        """Every face for itself, one of them moved a little."""
+        """Separate faces, one of them moved a little."""
         bpy.ops.object.select_all(action="DESELECT")
         self.obj.select_set(True)
         whole = len(self.obj.data.vertices)
@@ -282,15 +283,15 @@ class Meshes(Dressed):
         self.obj.data.polygons[100].flip()
         self.obj.data.update()
         bpy.ops.talweg.repair()
-        self.assertRegex(told.of(self.obj)[0], "2 faces were turned")
-        self.assertEqual(told.of(None), ("", ()))
+        self.assertRegex(last_report.of(self.obj)[0], "2 faces were turned")
+        self.assertEqual(last_report.of(None), ("", ()))
         bpy.ops.talweg.repair()
-        self.assertIn("needs no repair", told.of(self.obj)[0])
-        told._forget()
-        self.assertEqual(told.of(self.obj)[0], "")
+        self.assertIn("needs no repair", last_report.of(self.obj)[0])
+        last_report._forget()
+        self.assertEqual(last_report.of(self.obj)[0], "")
 
     def test_edit_mode(self):
-        """What the mesh has survives there, too."""
+        """Data survive in edit mode, too."""
         self.obj.data.polygons[100].flip()
         self.obj.data.update()
         bpy.ops.object.mode_set(mode="EDIT")
@@ -339,7 +340,7 @@ class Meshes(Dressed):
             self.assertEqual(talweg.inspect(support_arrays(self.obj))["verdict"], "usable", name)
 
     def test_errors_of_jobs_name_the_curve(self):
-        """The work ends with an error on its thread; the steps tell which curve it was."""
+        """The work ends with an error on its thread; the steps add the curve's name."""
 
         def fails(_progress):
             raise talweg.BadCurve("Curve 0: it is bad.")
@@ -357,7 +358,7 @@ class Meshes(Dressed):
         bpy.context.scene.collection.objects.link(twin)
         across()
         self.assertEqual(bpy.ops.talweg.separate(), {"FINISHED"})
-        self.assertEqual(len(twin.data.vertices), N * N)  # it stays whole
+        self.assertEqual(len(twin.data.vertices), N * N)  # the other object keeps the whole mesh
         self.assertEqual(len({o.data for o in bpy.data.objects if o.type == "MESH"}), 3)
         self.assertEqual(objects.warnings(twin, []), [])
         other = bpy.data.objects.new("Other", twin.data)
@@ -365,7 +366,7 @@ class Meshes(Dressed):
 
 
 def finished(steps):
-    """What such steps return, with the work on its thread."""
+    """The result of steps, with their work on its thread."""
     job = jobs.Job(next(steps))
     job.is_done(wait=60)
     return jobs.after(steps, job.given)

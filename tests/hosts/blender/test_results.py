@@ -1,4 +1,4 @@
-"""What is seen of a result, where it stays, what is said of drawings astray, and whose fault it was."""
+"""Looks and place of results, warnings about drawings away from the mesh, and errors that name the cause."""
 
 import contextlib
 import io
@@ -9,8 +9,8 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 from mathutils import Matrix
-from talweg_blender import again, curve_object, lengths, marks, operators, operators_of_meshes, panel, \
-    parameters, sentences, session
+from talweg_blender import curve_object, lengths, marks, operators, operators_of_meshes, panel, \
+    parameters, resmoothing, sentences, session
 
 import scene
 import support
@@ -35,7 +35,7 @@ class Results(unittest.TestCase):
         self.obj = scene.add_mesh(*support.hills())
 
     def smooth(self, operator=bpy.ops.talweg.smooth_annotations, **how):
-        """What was reported."""
+        """Smooths, and returns the printed reports."""
         told = io.StringIO()
         with contextlib.redirect_stdout(told):
             self.assertEqual(operator(**how), {"FINISHED"})
@@ -45,7 +45,7 @@ class Results(unittest.TestCase):
 
 class Seen(Results):
     def test_width_colour_and_place(self):
-        """On meshes of every unit between a 450th and a 150th of their size."""
+        """The width is between a 450th and a 150th of the mesh's size, in every unit."""
         for scale in (1e-2, 1, 1e3):
             with self.subTest(scale):
                 scene.empty()
@@ -97,7 +97,7 @@ class Seen(Results):
         of_meshes = [one for each in operators_of_meshes._properties().values() for one in each.items()]
         for name, made in [*parameters.annotations().items(), *operators._STROKES.items(), *of_meshes]:
             words = made.keywords
-            if not name.startswith("use_"):  # is a box without a text
+            if not name.startswith("use_"):  # a box has no text field
                 self.assertLess(len(words.get("name", "")), 18, name)
             for item in words.get("items", ()):
                 self.assertLess(len(item[1]), 16, name)
@@ -117,7 +117,7 @@ class Seen(Results):
 
 class Places(Results):
     def test_it_follows_the_mesh(self):
-        """Through shear, too, which an object has only as a child."""
+        """The curve follows its mesh through shear, too, which only a child can have."""
         parent = bpy.data.objects.new("Parent", None)
         bpy.context.scene.collection.objects.link(parent)
         parent.scale = (1, 3, 1)
@@ -165,7 +165,7 @@ class Places(Results):
             self.assertEqual(len(curve_objects()), 3)
 
     def test_it_lies_on_the_mesh_with_its_modifiers(self):
-        """Cast to a sphere: a cube's points are up to 0.39 off what is shown."""
+        """The mesh is cast to a sphere: points of the plain cube would be up to 0.39 off."""
         scene.empty()
         bpy.ops.mesh.primitive_cube_add(size=2)
         self.obj = bpy.context.object
@@ -276,14 +276,14 @@ class Astray(Results):
 
 
 def u_turn():
-    """Along y = 20, and back four units beside it: 75 samples of a hand."""
+    """A stroke of 75 samples along y = 20, and back four units beside it."""
     way = np.r_[[(10 + t, 20) for t in range(31)], [(40, 20 + t) for t in range(1, 5)],
                 [(40 - t, 24) for t in range(1, 31)]].astype(float)
     return np.c_[way, hill(*way.T)]
 
 
 class Layout:
-    """Notes what is put into a panel, in its order."""
+    """A layout that records the content of a panel in order."""
 
     def __init__(self, parts):
         self.__dict__["parts"] = parts
@@ -296,7 +296,7 @@ class Layout:
 
 
 class Decisive(Results):
-    """By what a curve may be of no use is told before the fields, and shown where it is."""
+    """Decisive warnings stand before the fields, and are marked in the view."""
 
     def panel_of(self, curve):
         bpy.context.view_layer.objects.active = curve
@@ -308,7 +308,7 @@ class Decisive(Results):
         scene.annotate([u_turn()])
         self.smooth(use_slack=True, slack=8)
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "ERROR")
+        self.assertEqual(resmoothing.icon(curve), "ERROR")
         kind, words = self.panel_of(curve)[0]
         self.assertEqual(kind, "label")
         self.assertTrue(words.startswith("Mesh curve: The result cuts"), words)
@@ -319,7 +319,7 @@ class Decisive(Results):
         place, = marks.places(curve)
         self.assertLess(np.linalg.norm(u_turn() - place, axis=1).min(), 0.5)
         self.assertGreater(place[0], 35)  # at its bend
-        flat = np.diag([1 / 60, 1 / 60, 0, 1])  # the eye far above, 60 units to the right edge
+        flat = np.diag([1 / 60, 1 / 60, 0, 1])  # the camera far above, with 60 units to the right edge
         ring, = marks.rings([curve], flat, 240, 240)
         np.testing.assert_allclose(ring.mean(axis=0), (place[:2] / 60 + 1) * 120, atol=1)
         np.testing.assert_allclose(np.linalg.norm(ring - (place[:2] / 60 + 1) * 120, axis=1), 13, atol=1e-3)
@@ -330,7 +330,7 @@ class Decisive(Results):
         scene.annotate([np.c_[x, y, hill(x, y)]])
         self.smooth(tau=0, ends="closed")
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "ERROR")
+        self.assertEqual(resmoothing.icon(curve), "ERROR")
         lines = sentences.decisive_of(curve_object.report_of(curve))
         self.assertTrue(any("shrinks to a point" in line for line in lines), lines)
         self.assertEqual(len(marks.places(curve)), len(lines) - 1)  # a collapse has no place
@@ -339,7 +339,7 @@ class Decisive(Results):
         scene.annotate([line(10)])
         self.smooth()
         curve, = curve_objects()
-        self.assertEqual(again.icon(curve), "CURVE_DATA")
+        self.assertEqual(resmoothing.icon(curve), "CURVE_DATA")
         self.assertEqual(self.panel_of(curve)[0][0], "prop")
         self.assertEqual(len(marks.places(curve)), 0)
         self.assertEqual(marks.rings([curve], np.eye(4), 240, 240), [])

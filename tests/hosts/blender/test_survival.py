@@ -1,4 +1,5 @@
-"""What else a mesh has, and cutting must not lose silently: shape keys, layers, custom normals; linked meshes."""
+"""Data of a mesh that cutting must keep, or report as lost: shape keys, layers, custom normals; linked
+meshes."""
 
 import tempfile
 from pathlib import Path
@@ -52,7 +53,7 @@ class Survival(test_pieces.Dressed):
             self.check_shape_keys(piece)
 
     def test_layers_survive(self):
-        """Bevel weights, creases and masks of vertices, face maps, pins, marks, what is hidden."""
+        """Bevel weights, creases and masks of vertices, face maps, pins, marks, hidden elements."""
         mesh = self.obj.data
         bm = bmesh.new()
         bm.from_mesh(mesh)
@@ -108,7 +109,7 @@ class Survival(test_pieces.Dressed):
 
 
 def tilted(mesh):
-    """A direction for each corner that depends on its place only."""
+    """A direction for each corner that depends only on its place."""
     xyz = np.empty((len(mesh.vertices), 3), np.float32)
     mesh.vertices.foreach_get("co", xyz.ravel())
     at = xyz[attributes.read(mesh.loops, "vertex_index", 1, np.int32)]

@@ -1,4 +1,4 @@
-"""The drawing tool without a window: its hand on a view, its undo, its thread, and how it ends."""
+"""The drawing tool without a window: mouse actions on a view, undo, its thread, and its end."""
 
 import runpy
 import threading
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from talweg_blender import again, panel, session
+from talweg_blender import panel, resmoothing, session
 from talweg_blender.drawing_tool import drawn, lines, tool
 from talweg_blender.drawing_tool import view as seen
 from talweg_blender.drawing_tool.live import Live, Request
@@ -44,7 +44,7 @@ def curve_objects():
 
 class Views(unittest.TestCase):
     def test_rays_meet_what_was_projected(self):
-        """In perspective, too: the point lies on the ray through its pixel."""
+        """In a perspective view, too, a point lies on the ray through its pixel."""
         perspective = np.array([[1.2, 0, 0, 0], [0, 1.6, 0, 0], [0, 0, -1.002, -0.2], [0, 0, -1, 0]])
         turned = np.eye(4)
         turned[:3, 3] = (0.3, -0.2, -5)
@@ -75,7 +75,8 @@ class Lines(unittest.TestCase):
                                 for k in range(count)))
 
     def test_a_dragged_point_takes_the_stroke_along(self):
-        """So far to either side as it moves: here 2 units; ends and pins stay."""
+        """A dragged point bends the stroke on either side over the length of its move, here 2 units; ends and
+        pins stay."""
         line = self.line(20, exact=(8, 10))
         to = lines.Point(0, (1, 0, 0), (10.0, 2.0, 0.0), True)
         found = [point.position[:2] for point in lines.bent(line, 10, to).points]
@@ -98,7 +99,7 @@ class Lines(unittest.TestCase):
         self.assertEqual(lines.place_on(loop, around, 4), 4)
 
     def test_a_line_that_comes_back_is_not_taken_for_its_other_stretch(self):
-        """As in tests/plugins/editing/curves_test.cpp, of the same in C++."""
+        """The same case as in tests/plugins/editing/curves_test.cpp."""
         there = [(k / 10, 0.0, 0.0) for k in range(21)]
         along = np.array(there + [(x, 0.01, 0.0) for x, _, _ in reversed(there)])
         places = (0.0, 0.0, 0.0), (1.0, 0.009, 0.0), (2.0, 0.005, 0.0), (1.2, 0.001, 0.0), (0.0, 0.01, 0.0)
@@ -112,7 +113,7 @@ class Lines(unittest.TestCase):
 
 
 class Hand(unittest.TestCase):
-    """On the hills, seen from above; the curve object shows what the library gives."""
+    """Actions on the hills, seen from above; the curve object shows the library's result."""
 
     def setUp(self):
         scene.empty()
@@ -230,7 +231,7 @@ class Hand(unittest.TestCase):
         self.assertLess(len(line.points), before)
         points, = self.positions()
         self.assertLess(np.linalg.norm(points - [30, 14, hill(30, 14)], axis=1).min(), 0.05)
-        self.work.pin(self.view, pixel(30, 14))  # and let go
+        self.work.pin(self.view, pixel(30, 14))  # the second time removes the pin
         self.assertFalse(any(point.exact for point in self.work.editor.lines[0].points))
 
     def test_what_is_behind_is_not_taken_hold_of(self):
@@ -247,7 +248,7 @@ class Hand(unittest.TestCase):
         made.drop()
 
     def test_the_other_side_of_a_coarse_mesh(self):
-        """The edges of a cube are as long as it is."""
+        """The mean edge of a cube is as long as the cube."""
         scene.empty()
         bpy.ops.mesh.primitive_cube_add(size=2)
         self.obj = bpy.context.object
@@ -304,7 +305,7 @@ class Hand(unittest.TestCase):
         self.assertEqual(made.result.total.tau, 4)
 
     def test_the_sidebar_shows_what_is_drawn(self):
-        """Not the curve that was made before; lengths begin with those of the mesh."""
+        """The panel shows the tool's curve, not an earlier one; its lengths begin with those of the mesh."""
         bpy.context.view_layer.objects.active = self.obj
         for number in range(2):
             made = self.begin()
@@ -315,11 +316,12 @@ class Hand(unittest.TestCase):
             self.click(30, 20 + number)
             self.click(50, 10 + number)
             made.wait()
-            self.assertAlmostEqual(made.curve.talweg.slack, edge, places=5)  # way-points have used none
+            self.assertAlmostEqual(made.curve.talweg.slack, edge, places=5)  # a drawing of way-points uses no
+                                                                             # slack
             self.assertAlmostEqual(made.curve.talweg.max_deviation, made.result.total.farthest,
                                    places=5)
             told, _ = made.finish(bpy.context)
-            self.assertIn(again.numbers(bpy.context, made.curve), told)
+            self.assertIn(resmoothing.numbers(bpy.context, made.curve), told)
 
     def test_enter_does_not_smooth_again_what_is_seen(self):
         made = self.begin()
@@ -348,7 +350,7 @@ class Hand(unittest.TestCase):
         edited.wait()
         np.testing.assert_array_equal(scene.spline_points(curve), before)
         self.drag((30, 15), (30, 25))
-        edited.drop()  # Esc: as it was
+        edited.drop()  # Esc restores the curve
         np.testing.assert_array_equal(scene.spline_points(curve_objects()[0]), before)
         edited = self.begin(curve_objects()[0])
         self.drag((30, 15), (30, 25))
@@ -438,7 +440,7 @@ class Threads(unittest.TestCase):
 
 
 class _Slow:
-    """A mesh and its workspace, whose first run ends when it is cancelled, or after ten seconds."""
+    """A mesh with a workspace whose first run ends when it is cancelled, or after ten seconds."""
 
     def __init__(self):
         self.at_work, self.cancelled = threading.Event(), threading.Event()

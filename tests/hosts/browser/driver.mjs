@@ -1,9 +1,9 @@
-// The driver beside the page: what it makes of the files that the page has saved.
+// Compares the page's saved files with the driver's results.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 
-/** Runs `talweg`; throws with its sentence where it fails. */
+/** Runs `talweg`; throws with its sentence if it fails. */
 export function talweg(...args) {
   return execFileSync(process.env.TALWEG_DRIVER, ['--quiet', ...args], { encoding: 'utf8' });
 }
@@ -13,13 +13,14 @@ export function curvesIn(path) {
   return JSON.parse(readFileSync(path, 'utf8')).curves;
 }
 
-/** How many of an element a PLY file has. */
+/** The number of elements of a kind in a PLY file. */
 export function countIn(path, element) {
   const head = readFileSync(path, 'latin1').slice(0, 4000);
   return Number(head.match(new RegExp(`element ${element} (\\d+)`))?.[1]);
 }
 
-/** The largest distance between points of the same number; the curves must have equally many. */
+/** The largest distance between corresponding points; the curves must have equal numbers of
+   points. */
 export function farthest(some, others) {
   assert.deepEqual(some.map((c) => c.points.length), others.map((c) => c.points.length));
   let most = 0;

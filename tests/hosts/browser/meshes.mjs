@@ -1,4 +1,4 @@
-// Small meshes for the tests, made here.
+// Makes small meshes for the tests.
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -27,13 +27,13 @@ function ball(rings = 24) {
   return { points, faces };
 }
 
-/** A face that comes twice: no surface, until it is repaired. */
+/** A ball with a face twice, which is no surface until repaired. */
 function twice() {
   const { points, faces } = ball(8);
   return { points, faces: [...faces, faces[20]] };
 }
 
-/** A face with a point that does not exist. */
+/** A face with an index out of range. */
 function broken() {
   const { points, faces } = ball(4);
   return { points, faces: [...faces, [0, 1, 100000]] };
@@ -91,7 +91,7 @@ export function mesh(kind) {
   return path;
 }
 
-/** The path of a GIFTI file with this mesh: its lengths are millimetres. */
+/** The path of a GIFTI file with this mesh, whose unit is the millimetre. */
 export function inMillimetres(kind) {
   const { points, faces } = kinds[kind]();
   const array = (intent, type, rows) => `<DataArray Intent="NIFTI_INTENT_${intent}" DataType="NIFTI_TYPE_${type}" `

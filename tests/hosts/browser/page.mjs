@@ -1,6 +1,6 @@
-// The page in a headless Chromium, used as a person uses it: by mouse, fingers and keys. Tests see
-// what a person sees: texts, pictures, and the files that were saved. With TALWEG_FIREFOX, the path of
-// a Firefox, it is that one; it needs a display that draws (xvfb-run), and has no fingers.
+// The page in a headless Chromium, used by mouse, fingers and keys like a user. Tests check visible
+// texts, pictures, and saved files. TALWEG_FIREFOX, the path of a Firefox, selects that browser; it
+// needs a display (xvfb-run), and has no touch events.
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
@@ -10,7 +10,8 @@ import { pathToFileURL } from 'node:url';
 const folder = process.env.TALWEG_PAGE;
 const source = process.env.TALWEG_PAGE_SOURCE;
 const require = createRequire(join(source, 'package.json'));
-/** Sanitizers, other tests and slow machines: long, because only a fault waits for its end. */
+/** Milliseconds; long enough for sanitizers, parallel tests and slow machines, since only a failure
+   waits for its end. */
 const patience = 120_000;
 
 export function skip(why) {
@@ -51,7 +52,7 @@ function inFirefox(downloads) {
   };
 }
 
-/** One browser for all tests of a file: starting it is the longest part. */
+/** One browser for all tests of a file, since its start takes longest. */
 async function launch() {
   if (launched) return launched;
   if (!existsSync(join(folder, 'main.js'))) skip('the page is not built (./run page)');
@@ -72,7 +73,7 @@ export async function endBrowser() {
   launched?.server.close();
 }
 
-/** The page from a server of its own, which a test can end: { url, unplug }. */
+/** The page from its own server, which a test can stop: { url, unplug }. */
 export async function servePage(from = folder) {
   const { serve } = await import(pathToFileURL(join(source, 'serve.mjs')));
   const { server, url } = await serve(from);
@@ -80,8 +81,8 @@ export async function servePage(from = folder) {
 }
 
 /**
- * Opens the page as somebody who was never there; `touch` makes it a phone. `context` is the browser of
- * a page that is open already, `url` another server's, `script` runs before the page's own.
+ * Opens the page as a new visitor; `touch` simulates a phone. `context` is the browser context of
+ * an open page, `url` another server's, `script` runs before the page's own.
  */
 export async function openPage({ width = 900, height = 600, touch = false, dark = false, context, url, script,
                                 ready = 'html[data-ready]' } = {}) {
@@ -135,7 +136,7 @@ export class Page {
     if (!firefox) rmSync(this.downloads, { recursive: true, force: true });
   }
 
-  /** Waits until nothing is computed any more. */
+  /** Waits until all work has ended. */
   async rest() {
     await this.page.waitForSelector('#main[aria-busy="false"]');
     await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -154,7 +155,7 @@ export class Page {
     await this.rest();
   }
 
-  /** Presses a button of the page, by the name of what it does; one that is hidden or off is a fault. */
+  /** Presses a button by the name of its command; a hidden or disabled button is an error. */
   async act(act) {
     const buttons = await this.page.$$(`[data-act="${act}"]`);
     for (const button of buttons) {
@@ -178,7 +179,7 @@ export class Page {
     await this.rest();
   }
 
-  /** Drags with the left button over these pixels. */
+  /** Drags with a mouse button over these pixels. */
   async drag(points, { button = 'left', steps = 8 } = {}) {
     const [[x, y], ...others] = points;
     await this.page.mouse.move(x, y);
@@ -197,24 +198,25 @@ export class Page {
     return this.page.$eval(`#${id}`, (element) => element.textContent.trim());
   }
 
-  /** What the list tells of the curves, such as "Curve 1 closed, 5 points". */
+  /** The texts of the list of curves, such as "Curve 1 closed, 5 points". */
   curves() {
     return this.page.$$eval('#curve-list li button', (items) => items.map((item) => item.textContent.trim()));
   }
 
-  /** A text of the report's table, of the first curve; empty if there is no such row. */
+  /** A text of the report's table for the first curve; empty if there is no such row. */
   async row(name) {
     const rows = await this.page.$$eval('#reports table:first-of-type tr',
       (all) => all.map((r) => [r.cells[0].textContent, r.cells[1].textContent]));
     return rows.find(([head]) => head === name)?.[1] ?? '';
   }
 
-  /** A number of it; of a bound that bound. */
+  /** A number of the report's table; for a bound the bound's number. */
   async reported(name) {
     return Number.parseFloat((await this.row(name)).replace('≥ ', ''));
   }
 
-  /** Does what saves a file, and gives its path, which no later file of this name takes. */
+  /** Runs a task that saves a file, and returns its path; later files of the same name get other
+     paths. */
   async saved(task) {
     await task();
     const end = Date.now() + patience;
@@ -230,14 +232,14 @@ export class Page {
     throw new Error(`No file was saved: ${await this.text('trouble-files')}`);
   }
 
-  /** Does what saves so many files, and gives their paths in the order of their names. */
+  /** Runs a task that saves `count` files, and returns their paths in the order of their names. */
   async savedAll(count, task) {
     const paths = [await this.saved(task)];
     while (paths.length < count) paths.push(await this.saved(() => {}));
     return paths.sort((a, b) => basename(a).localeCompare(basename(b)));
   }
 
-  /** A picture for people to look at, in the folder of TALWEG_PAGE_PICTURES. */
+  /** Saves a picture in the folder TALWEG_PAGE_PICTURES. */
   async picture(name) {
     const pictures = process.env.TALWEG_PAGE_PICTURES;
     if (!pictures) return;
@@ -246,7 +248,7 @@ export class Page {
     await this.page.screenshot({ path: join(pictures, `${name}.png`) });
   }
 
-  /** Faults that no test looks for: errors of the page, and requests to another host. */
+  /** Errors of the page and requests to other hosts, which every test checks. */
   faults() {
     const strangers = this.requests.filter((url) => !url.startsWith(this.url) && !/^(blob|data):/.test(url));
     return [...this.errors.map((error) => `The page has an error: ${error}`),

@@ -1,4 +1,4 @@
-// Where tests click.
+// Places of clicks in the tests.
 import { mesh } from './meshes.mjs';
 import { openPage } from './page.mjs';
 
@@ -15,7 +15,7 @@ export async function around(page, size = 60) {
   return [[x - size, y - size], [x + size, y - size], [x + size, y + size], [x - size, y + size]];
 }
 
-/** Moves the mouse up and down until it is over a curve; gives the place. */
+/** Moves the mouse up and down until it is over a curve; returns the place. */
 export async function findLine(page, x, y) {
   for (const dy of [0, -4, 4, -8, 8, -12, 12, -16, 16, -20, 20, -24, 24]) {
     await page.page.mouse.move(x, y + dy);

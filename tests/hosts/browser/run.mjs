@@ -1,4 +1,5 @@
-// Runs the tests of one file: run.mjs NAME [TEST]. A test is an exported function that gets nothing and throws.
+// Runs the tests of one file: run.mjs NAME [TEST]. A test is an exported function without arguments
+// that throws on failure.
 import { endBrowser, Page } from './page.mjs';
 
 const [, , name, only] = process.argv;

@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 
 const kinds = [Float64Array, Float32Array, Uint32Array, Int32Array, Uint8Array];
 
-/** call(name, arguments, bytes) of a new module; memory() tells how much it has taken, in MiB. */
+/** A new module: call(name, arguments, bytes), and memory(), its memory in MiB. */
 export async function talwegModule(folder) {
   if (!existsSync(join(folder, 'talweg.js'))) {
     console.log('skipped: the page is not built (./run page)');

@@ -1,11 +1,11 @@
-// Axe looks at the page in the states that people see, light and dark.
+// Axe checks the page in its states, light and dark.
 import assert from 'node:assert/strict';
 import { mesh } from './meshes.mjs';
 import { axeSource, openPage } from './page.mjs';
 import { around, withMesh } from './places.mjs';
 
 async function look(page, where) {
-  // The test's own script comes past the page's content policy, as the browser's tools do.
+  // The test's script bypasses the page's content policy, as the browser's tools do.
   const { violations } = await page.page.evaluate(async (source) => {
     new Function(source)();
     return globalThis.axe.run(document, { resultTypes: ['violations'] });
@@ -51,7 +51,7 @@ export async function aBadFileIsToldBesideTheMesh() {
   await page.rest();
   assert.match(await page.text('trouble-mesh'), /broken\.off/);
   await look(page, 'a bad file');
-  // The mesh that was there can still be drawn on.
+  // The earlier mesh can still be drawn on.
   const [a, b] = await around(page);
   await page.click(...a);
   await page.click(...b);
@@ -79,7 +79,7 @@ export async function repairIsOffered() {
   assert.deepEqual(await page.curves(), ['Curve 1 being drawn, 1 point']);
 }
 
-/** No curve gets from one of its triangles to the next, until they are welded: here within 1e-7. */
+/** A curve cannot leave a triangle of the soup until they are welded, here within 1e-7. */
 export async function aSoupIsWelded() {
   const page = await openPage();
   for (const kind of ['soup', 'loose']) {
@@ -97,7 +97,7 @@ export async function aSoupIsWelded() {
     assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
     assert.ok((await page.reported('length')) > 0);
   }
-  // A tolerance that is less than the gaps welds nothing.
+  // A tolerance below the gaps welds nothing.
   await page.page.$eval('#weld', (box) => (box.value = '1e-9'));
   await page.act('repair');
   assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 672 vertices/);

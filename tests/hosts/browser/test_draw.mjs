@@ -55,7 +55,7 @@ export async function aPaintedStroke() {
   assert.match(told, /^Curve 1 open, \d+ points$/);
   assert.ok(Number(told.match(/(\d+) points/)[1]) > 15, told);
   assert.ok((await page.reported('farthest apart')) > 0);
-  // A stroke is one step.
+  // A stroke is one step of undo.
   await page.act('undo');
   await page.act('undo');
   assert.deepEqual(await page.curves(), []);
@@ -112,7 +112,7 @@ export async function theSlider() {
   await page.drag([[box.x + 0.32 * box.width, y], [box.x + 4, y]]);
   const after = await page.reported('length');
   assert.ok(after < before, `${after} is not shorter than ${before}`);
-  // The whole slide is one step.
+  // The whole movement of the slider is one step of undo.
   await page.act('undo');
   assert.equal(await page.reported('length'), before);
 }
@@ -163,7 +163,7 @@ export async function theViewTurnsAndTheDrawingStays() {
   assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
 }
 
-/** A click that no curve gets to would keep all curves from being smooth. */
+/** A click that no curve can reach would keep all curves from being smoothed. */
 export async function anotherPartIsNotReached() {
   const page = await openPage();
   await page.openMesh(mesh('pair'));
@@ -180,7 +180,8 @@ export async function anotherPartIsNotReached() {
   assert.equal(await page.row('farthest apart'), '0');
 }
 
-/** Software draws here, so 640,000 faces take long: a coarser mesh turns, and the whole one rests. */
+/** With software rendering 640,000 faces take long: a coarser mesh is shown while the view turns,
+   and the whole mesh at rest. */
 export async function aLargeMeshTurnsCoarsely() {
   const page = await openPage();
   await page.openMesh(mesh('large'));

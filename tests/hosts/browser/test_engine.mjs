@@ -1,5 +1,5 @@
-// The engine's module in node, beside the driver: the same curves, deviations and cuts, and sentences
-// where something cannot be done.
+// The engine's module in node gives the driver's curves, deviations and cuts, and sentences for
+// errors.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
@@ -13,7 +13,7 @@ const driver = process.env.TALWEG_DRIVER;
 
 const at = (face, barycentric = [0.25, 0.5, 0.25]) => ({ face, barycentric });
 
-/** The sample, opened, with an editor; everything that is saved comes into `folder`. */
+/** The sample, opened, with an editor; saved files go into `folder`. */
 async function begun() {
   const { call, memory } = await talwegModule(page);
   const folder = mkdtempSync(join(tmpdir(), 'talweg-page-'));
@@ -39,7 +39,7 @@ function drawn(edit, closed) {
   return edit('drawing');
 }
 
-/** The same drawing painted: many points that are not meant exactly. */
+/** The same drawing painted: many points that are no way-points. */
 function painted(call, edit) {
   const [line] = call('draw', [drawn(edit, true)]);
   edit('clear');
@@ -67,7 +67,8 @@ function compareWithDriver({ saved, talweg, folder, mesh, info }, smoothed, args
     assert.equal(curve.points.length, other[c].points.length, 'points of the curve');
     curve.points.forEach((point, k) => {
       const q = other[c].points[k].xyz;
-      // Fair curves are minima of an energy that is flat there: libraries of functions differ in last digits.
+      // A fair curve is a flat minimum of its energy: mathematical libraries differ in the last
+      // digits.
       expectNear(Math.hypot(...point.xyz.map((x, i) => x - q[i])), 0, 1e-4 * info.meanEdge, `point ${k}`);
     });
   });
@@ -153,7 +154,7 @@ export async function whatIsWrongIsSaid() {
     /^Error: Cannot read broken\.ply, line 2: /);
   assert.throws(() => call('saveCurves', ['json']), /There is no smoothed curve yet/);
   assert.throws(() => call('labels', [false]), /no labels/);
-  // The mesh that was there is there still.
+  // The earlier mesh is still open.
   assert.equal(call('draw', [drawn(edit, false)]).length, 1);
   const twice = 'OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 2\n3 0 2 3\n';
   const info = call('open', ['twice.off', false], new TextEncoder().encode(twice));
@@ -162,7 +163,8 @@ export async function whatIsWrongIsSaid() {
   assert.equal(call('open', ['twice.off', true], new TextEncoder().encode(twice)).defects, null);
 }
 
-/** The plugins that draw and smooth are in one module: the second gets the mesh that the first has opened. */
+/** The plugins for drawing and smoothing are in one module: the second uses the mesh that the first
+   has opened. */
 export async function aMeshIsOpenedOnce() {
   const { call, memory } = await talwegModule(page);
   call('open', ['large.off', false], readFileSync(mesh('large')));

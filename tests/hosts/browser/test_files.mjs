@@ -1,4 +1,4 @@
-// What the page saves is what the driver makes of the same drawing, and can be read again.
+// The page saves the driver's results for the same drawing, and can read them again.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
@@ -20,7 +20,7 @@ async function stroked(closed = true) {
   return page;
 }
 
-/** The driver smooths the drawing that the page saved; with the page's words. */
+/** The driver smooths the drawing that the page saved, by the page's command line. */
 async function bothWays(page) {
   const drawn = await saveAs(page, 'drawn.json');
   const ours = await saveAs(page, 'json');
@@ -36,7 +36,7 @@ async function bothWays(page) {
   return { ours, theirs, report };
 }
 
-/** Fair curves are a minimum that is sought until steps are small against the edges. */
+/** A fair curve is a minimum; the search ends when steps are small compared with the edges. */
 async function agree(page, tolerance = 1e-4 * meanEdge('ball')) {
   const { ours, theirs } = await bothWays(page);
   const distance = farthest(curvesIn(ours), curvesIn(theirs));
@@ -73,7 +73,7 @@ export async function anotherTauAndABound() {
   await agree(page);
 }
 
-/** Straight lines on the lifted surface: nothing is sought, so only rounding differs. */
+/** The paper's method has no search, so only rounding differs. */
 export async function thePapersMethodAsTheDriverHasIt() {
   const page = await stroked(false);
   const fair = await page.reported('length');
@@ -148,7 +148,7 @@ export async function theCutIsTheDrivers() {
   talweg('cut', mesh('ball'), '--curve', curve, '--open', '-o', theirs);
   for (const element of ['vertex', 'face']) assert.equal(countIn(ours, element), countIn(theirs, element), element);
 
-  // The parts are the whole, each a file of its own.
+  // The parts together are the whole mesh, each in its own file.
   const parts = await page.savedAll(2, () => page.act('save-parts'));
   assert.deepEqual(parts.map((path) => basename(path)), ['ball-part-1.ply', 'ball-part-2.ply']);
   assert.equal(parts.reduce((sum, path) => sum + countIn(path, 'face'), 0), countIn(ours, 'face'));

@@ -1,9 +1,9 @@
-// Everything without a mouse.
+// Drawing and editing without a mouse.
 import assert from 'node:assert/strict';
 import { mesh } from './meshes.mjs';
 import { openPage } from './page.mjs';
 
-/** Tab until an element has the focus, as a person would. */
+/** Presses Tab until an element has the focus. */
 async function tabTo(page, selector) {
   for (let k = 0; k < 60; ++k) {
     if (await page.page.evaluate((s) => document.activeElement?.matches(s), selector)) return;
@@ -68,7 +68,8 @@ export async function aPointIsInsertedIntoTheCurve() {
   await press(page, 'ArrowRight', 8);
   await page.key('Space', 'Enter');
   assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
-  // Back along the curve, which is nearly straight, and up and down finely: the hint says where it is met.
+  // Moves back along the nearly straight curve, and up and down in small steps, until the hint says
+  // that the curve is met.
   await press(page, 'ArrowLeft', 4);
   const meets = async () => (await page.text('hint')).includes('on the curve');
   await page.page.keyboard.down('Shift');
@@ -105,7 +106,8 @@ export async function theHelpListsTheKeys() {
   assert.ok(!(await page.page.$eval('#help', (dialog) => dialog.open)));
 }
 
-/** A hand on its keys goes on with the mesh, and Ctrl+Z in a box is about its text. */
+/** After the sample is opened by keys, keys act on the mesh, and Ctrl+Z in a box acts on its
+   text. */
 export async function fromTheSampleToTheMesh() {
   const page = await openPage();
   await tabTo(page, '#start [data-act="sample"]');

@@ -116,7 +116,7 @@ export async function oneSideAndNone() {
   await choose(page, 'offset-side', 'both');
   await choose(page, 'offset-caps', 'none');
   assert.deepEqual(await offsets(page), ['open, left: 10', 'open, right: 10']);
-  // It follows the curve, is kept, and says why there is none.
+  // The offset follows the curve, is stored, and tells why there is none.
   await page.load();
   await page.page.waitForFunction(() => document.querySelectorAll('#offset-list li').length === 2);
   await page.rest();

@@ -1,4 +1,4 @@
-// How a mesh comes onto the page, and that nothing leaves it.
+// Opening meshes; no data leave the page.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import {
@@ -18,7 +18,7 @@ async function drawTwo(page) {
   assert.ok((await page.reported('length')) > 0);
 }
 
-/** What a person does who reads nothing but the button. */
+/** A new user only presses the button of the sample. */
 export async function theSample() {
   const page = await openPage();
   const began = Date.now();
@@ -50,7 +50,7 @@ export async function aDroppedMesh() {
   await drawTwo(page);
 }
 
-/** The policy holds whatever a script would try. */
+/** The content policy blocks every request by a script. */
 export async function noOtherHost() {
   const page = await openPage();
   const refused = await page.page.evaluate(async () => {
@@ -66,7 +66,7 @@ export async function noOtherHost() {
   page.errors = [];
 }
 
-/** Reading 638,000 faces takes a while. The mesh that was there stays, with its drawing. */
+/** Reading 638,000 faces takes a while. The earlier mesh stays, with its drawing. */
 export async function whatTakesLongCanBeEnded() {
   const page = await openPage();
   await page.openMesh(mesh('ball'));
@@ -75,7 +75,7 @@ export async function whatTakesLongCanBeEnded() {
   const [chooser] = await Promise.all([page.page.waitForFileChooser(),
     page.page.click('#panel [data-act="choose-mesh"]')]);
   await chooser.accept([mesh('large')]);
-  // Pressed as soon as it is there: what comes after reading is quick.
+  // The button is pressed as soon as it appears, since the work after reading is quick.
   await page.page.waitForFunction(() => {
     const busy = document.getElementById('busy');
     if (!busy.hidden) busy.querySelector('button').click();
@@ -92,7 +92,7 @@ export async function whatTakesLongCanBeEnded() {
   assert.equal((await page.curves()).length, 2);
 }
 
-/** What `talweg info` tells is asked for only when somebody wants to read it: it takes longer than opening. */
+/** The text of `talweg info` is computed only on request, since it takes longer than opening. */
 export async function allAboutTheMesh() {
   const page = await openPage();
   await page.openMesh(mesh('twice'));
@@ -103,7 +103,7 @@ export async function allAboutTheMesh() {
   await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('none (closed)'));
 }
 
-/** The plug is pulled: the page goes on, is loaded anew, and works. */
+/** Without the server the page continues, can be reloaded, and works. */
 export async function withoutANet() {
   const { url, unplug } = await servePage();
   const page = await openPage({ url });
@@ -123,7 +123,8 @@ export async function withoutANet() {
   await drawTwo(page);
 }
 
-/** A version that came during a visit begins with the next one, and what was kept of the old one goes. */
+/** A version that arrives during a visit starts with the next visit, and the old version's files
+   are removed. */
 export async function aNewerVersion() {
   const folder = mkdtempSync(join(tmpdir(), 'talweg-versions-'));
   cpSync(process.env.TALWEG_PAGE, folder, { recursive: true });
@@ -136,7 +137,7 @@ export async function aNewerVersion() {
   });
   assert.deepEqual(await kept(), { versions: 1, isNew: false });
 
-  // As build.mjs would make it.
+  // The service worker that build.mjs would make.
   const [style, worker] = ['style.css', 'service_worker.js'].map((name) => join(folder, name));
   const hash = () => createHash('sha256').update(readFileSync(style)).digest('base64');
   const before = hash();
@@ -154,7 +155,7 @@ export async function aNewerVersion() {
   assert.deepEqual(await kept(), { versions: 1, isNew: true });
 }
 
-/** A browser that keeps no page has what it needs from the start. */
+/** A browser without a service worker loads everything at the start. */
 export async function theNetGoesWithoutAServiceWorker() {
   const { url, unplug } = await servePage();
   const page = await openPage({ url, script: 'delete Navigator.prototype.serviceWorker' });
@@ -164,7 +165,7 @@ export async function theNetGoesWithoutAServiceWorker() {
   assert.equal(await page.text('trouble-mesh'), '');
 }
 
-/** As the system's file manager does it. */
+/** Drops files as the system's file manager does. */
 async function dropPaths(page, ...files) {
   const client = await page.page.createCDPSession();
   const { x, y } = await page.middle();
@@ -210,7 +211,7 @@ export async function withoutWebGL() {
   await page.picture('no-webgl');
 }
 
-/** Troubles are told where one looks, and are gone when the work goes on. */
+/** Errors are shown on the mesh, and disappear with the next action. */
 export async function aTroubleIsOver() {
   const page = await openPage();
   await page.choose('choose-mesh', mesh('broken'));

@@ -1,10 +1,10 @@
-// Nothing is lost, and nothing is kept on the machine unasked.
+// Sessions are not lost, and not stored on the machine without consent.
 import assert from 'node:assert/strict';
 import { mesh } from './meshes.mjs';
 import { openPage } from './page.mjs';
 import { around, withMesh } from './places.mjs';
 
-/** A curve that was drawn a moment ago, on a mesh that is kept. */
+/** A newly drawn curve, on a mesh that is stored. */
 async function drawn(options) {
   const page = await withMesh(options);
   await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('kept'));
@@ -34,7 +34,7 @@ export async function thisTabKeepsIt() {
   assert.deepEqual(await onMachine(page), { local: 0, databases: [] });
 }
 
-/** A browser that leaves a page waits for nothing that is still to come. */
+/** A browser that leaves a page does not wait for unfinished work. */
 export async function leavingKeepsAtOnce() {
   const page = await drawn();
   const drawings = await page.page.evaluate(() => {
@@ -55,7 +55,7 @@ export async function theMachineKeepsItWhenAsked() {
   await again(page);
   assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);
 
-  // It asks; Escape and the first answer keep everything.
+  // The page asks; Escape and the first answer keep everything.
   await page.act('forget');
   await page.picture('forget');
   await page.key('Escape');
@@ -76,7 +76,7 @@ export async function whatIsBeingKeptIsForgottenToo() {
   await page.page.waitForFunction(() => document.getElementById('kept-told').textContent.includes('on this device'));
   await Promise.all([page.page.waitForNavigation(), page.page.evaluate(() => {
     Object.defineProperty(document, 'visibilityState', { value: 'hidden' });
-    dispatchEvent(new Event('visibilitychange'));  // keeps at once
+    dispatchEvent(new Event('visibilitychange'));  // stores at once
     document.querySelector('[data-act="forget-now"]').click();
   })]);
   await page.page.waitForSelector('html[data-ready]');
@@ -109,7 +109,7 @@ function asides(page) {
 }
 const ballAside = 'The drawing on ball.off (1 curve) was put aside. Bring it back';
 
-/** Undo goes back over the opening, into the steps of the drawing before it. */
+/** Undo reverts the opening, and then the steps of the earlier drawing. */
 export async function anotherMeshTakesNoDrawing() {
   const page = await drawn();
   const length = await page.reported('length');
@@ -140,7 +140,7 @@ export async function whatWasPutAsideIsThereAfterAReload() {
   await page.load();
   await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'stone.ply');
   assert.deepEqual(await asides(page), [ballAside]);
-  // Nothing is drawn on the stone yet: Undo is the way back.
+  // Nothing is drawn on the new mesh yet, so Undo brings the earlier one back.
   await page.act('undo');
   await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent === 'ball.off');
   await page.act('redo');
@@ -158,7 +158,7 @@ export async function whatWasPutAsideIsThereAfterAReload() {
   assert.equal(await page.page.evaluate(() => document.activeElement.id), 'view');
 }
 
-/** A mesh that the tab has no room for: the drawing waits for it. */
+/** A mesh that the tab has no room for: the drawing waits until the user opens the mesh. */
 export async function aDrawingWaitsForItsMesh() {
   const page = await drawn();
   await page.page.waitForFunction(() => JSON.parse(sessionStorage.getItem('talweg.session')).drawing.includes('face'));
@@ -173,7 +173,8 @@ export async function aDrawingWaitsForItsMesh() {
   assert.deepEqual(await asides(page), []);
 }
 
-/** The second tab says so, writes nothing over, and puts aside what the first has left when that is closed. */
+/** The second tab says so, overwrites nothing, and puts the first tab's session aside when that tab
+   is closed. */
 export async function twoTabsDoNotWriteOverEachOther() {
   const first = await drawn();
   await first.page.click('#on-machine');

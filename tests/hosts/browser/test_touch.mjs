@@ -1,4 +1,4 @@
-// Fingers on a phone that is held upright: one draws, two move the view.
+// Fingers on an upright phone: one finger draws, two move the view.
 import assert from 'node:assert/strict';
 import { around, withMesh } from './places.mjs';
 
@@ -22,7 +22,7 @@ export async function oneFingerDraws() {
   assert.match((await page.curves())[0], /^Curve 1 being drawn, \d\d points$/);
   await page.act('finish');
   assert.match((await page.curves())[0], /^Curve 1 open/);
-  // What a hand looks for now is in sight, and the hint speaks of fingers.
+  // The slider of τ is visible, and the hint is about fingers.
   const slider = await (await page.page.$('#tau')).boundingBox();
   assert.ok(slider.y > 0 && slider.y + slider.height <= phone.height, `τ is at ${slider.y}`);
   assert.match(await page.text('hint'), /τ below/);
@@ -67,7 +67,7 @@ export async function thePanelIsBelowTheView() {
   assert.ok(wide <= phone.width, `the page is ${wide} pixels wide`);
 }
 
-/** The page draws with a pen while a finger, or the ball of the hand, rests on the screen. */
+/** A pen draws while a finger, or the palm, rests on the screen. */
 export async function aPenDrawsAlways() {
   const page = await withMesh(phone);
   const client = await page.page.createCDPSession();

@@ -1,4 +1,4 @@
-// What decides whether a result can be used is seen at once: beside the curve, on the mesh, below it.
+// Decisive warnings are visible at once: beside the curve, on the mesh, and below it.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -29,7 +29,8 @@ function along(page, corners, clicked) {
   return path;
 }
 
-/** The curve of such a drawing on the sheet: painted, or through clicks at its corners with a stroke at its end. */
+/** The curve of such a drawing on the sheet: painted, or clicked at its corners with a stroke at
+   its end. */
 async function drawn(corners, clicked = false) {
   const page = await openPage();
   await page.openMesh(mesh('sheet'));
@@ -75,7 +76,8 @@ export async function aUThatCollapses() {
   assert.equal(await alert(page), '');
 }
 
-/** From the click at (20, 10) it goes back to the one at (14, 10), 6 away, and paints on from there. */
+/** The drawing goes from the click at (20, 10) back to the click at (14, 10), 6 away, and is
+   painted from there. */
 export async function aClickThatIsMissed() {
   const page = await drawn([[2, 10], [20, 10], [14, 10], [14, 20]], true);
   assert.match(await alert(page), /misses 1 of the points/);
@@ -87,7 +89,7 @@ export async function aClickThatIsMissed() {
   await page.picture('missed-click');
 }
 
-/** The way back, which is 6 long, is left out. */
+/** The way back, 6 long, is left out of the result. */
 export async function aBoundThatCannotBeHeld() {
   const page = await drawn([[2, 10], [20, 10], [14, 10], [14, 20]]);
   await page.page.click('#most-on');

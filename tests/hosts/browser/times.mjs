@@ -1,5 +1,6 @@
-// What the engine takes in Chromium, and the driver on the same drawing: node times.mjs MESH.
-// With the environment of the tests (CMakeLists.txt). A loop of four clicks, some 40 edges around a place.
+// Times of the engine in Chromium, and of the driver, for the same drawing, a loop of four clicks
+// at about 40 edges from a place: node times.mjs MESH. Needs the environment of the tests
+// (CMakeLists.txt).
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdtempSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

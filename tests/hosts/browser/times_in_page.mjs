@@ -29,7 +29,7 @@ async function engine() {
   return { call, memory: () => Math.round(talweg.HEAPU8.length / 2 ** 20) };
 }
 
-/** Faces in the order in which they are met from one, over edges. */
+/** Faces in breadth-first order from a face, across edges. */
 function around(triangles, from, count) {
   const faces = triangles.length / 3, at = new Map();
   for (let f = 0; f < faces; ++f) {
@@ -55,7 +55,7 @@ function centre({ triangles, positions }, f) {
   return [0, 1, 2].map((i) => [0, 1, 2].reduce((sum, k) => sum + positions[3 * triangles[3 * f + k] + i] / 3, 0));
 }
 
-/** Four of these faces, far from each other. */
+/** Four of these faces that are far from each other. */
 function apart(info, faces) {
   const distance = (f, g) => Math.hypot(...centre(info, f).map((x, i) => x - centre(info, g)[i]));
   const far = (from) => faces.reduce((best, f) => (distance(f, from) > distance(best, from) ? f : best), faces[0]);

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs batch.ofs in a real OpenFlipper and compares what it wrote with the driver's, byte for byte.
-# usage: batch.sh TALWEG SCENES PLUGINS, with TALWEG_OPENFLIPPER (the program) and
-# TALWEG_OPENFLIPPER_PLUGIN (libPlugin-Talweg.so) in the environment. 77: these are not given.
+# Runs batch.ofs in a real OpenFlipper and compares its files with the driver's, byte for byte. usage:
+# batch.sh TALWEG SCENES PLUGINS, with TALWEG_OPENFLIPPER (the program) and TALWEG_OPENFLIPPER_PLUGIN
+# (libPlugin-Talweg.so) in the environment. Exit code 77: they are not given.
 set -eu
 talweg=$1 scenes=$2 plugins=$3
 here=$(cd "$(dirname "$0")" && pwd)
@@ -46,7 +46,7 @@ same tau_1
 same tau_6 --tau 6
 same pinned --pin "$pin"
 
-# The host's mesh is cut as the driver cuts it.
+# The cut of the host's mesh equals the driver's.
 "$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_cut.off"
 "$talweg" --quiet cut "$folder/vessel.ply" --curve "$folder/loop.json" -o "$folder/driver_part.off" \
   --split --cap
@@ -84,7 +84,7 @@ for host, driver in ("cut", "driver_cut"), ("part_0", "driver_part-0"), ("part_1
     print(f"{host}.ply: {len(f)} faces and area {area(p, f):.4f}, as the driver's")
 PYTHON
 
-# The host's file has the faces, vertices and edges of the points, and keeps them.
+# The host's file stores the faces, vertices and edges of the points.
 cmp "$folder/result.pol" "$folder/again.pol"
 /usr/bin/python3 - "$folder" <<'PYTHON'
 import json

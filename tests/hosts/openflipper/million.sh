@@ -1,6 +1,6 @@
 #!/bin/sh
-# The time of a slider's step at a million faces, told by million.ofs; no bound is tested. Arguments
-# and environment as for batch.sh. With DISPLAY and PICTURES as 4th argument in a window.
+# Prints the time of a slider's step at a million faces by million.ofs; tests no bound. Arguments and
+# environment as for batch.sh. With DISPLAY and PICTURES as 4th argument in a window.
 set -eu
 scenes=$2 plugins=$3 pictures=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Draws in a real OpenFlipper with a real mouse, on a virtual display, and checks what comes of it:
-# an open and a closed curve, a moved and a pinned point, the slider of tau, undo, redo, writing and
-# reading. usage: mouse.sh TALWEG SCENES PLUGINS [PICTURES]; the environment as for batch.sh.
-# 77: no OpenFlipper, or no Xvfb or xdotool.
+# Draws in a real OpenFlipper by mouse events on a virtual display, and checks the results: an open and a
+# closed curve, a moved and a pinned point, the slider of tau, undo, redo, writing and reading. usage:
+# mouse.sh TALWEG SCENES PLUGINS [PICTURES]; the environment as for batch.sh. Exit code 77: there is no
+# OpenFlipper, Xvfb or xdotool.
 set -eu
 talweg=$1 scenes=$2 plugins=$3 pictures=${4:-}
 here=$(cd "$(dirname "$0")" && pwd)
@@ -54,7 +54,7 @@ fail() {
   [ -z "$pictures" ] || import -window root "$pictures/failed.png" || true
   exit 1
 }
-# Waits until the log has a line more than it had at the last mark that matches.
+# Waits until the log has a line, after the last mark, that matches.
 marked=0
 mark() { marked=$(wc -l <"$log"); }
 expect() {  # PATTERN WHAT
@@ -72,7 +72,7 @@ picture() { [ -z "$pictures" ] || { sleep 1; import -window root "$pictures/$1.p
 click() { xdotool mousemove "$1" "$2"; sleep 0.2; xdotool click 1; sleep 0.4; }
 # X Y: from the viewer to the screen. The viewer begins below the menu and the tool bar.
 clicks() { for at in "$@"; do click "${at%,*}" "${at#*,}"; done; }
-# Asks the probe for a widget: it is scrolled to, and the log has its place and text.
+# Asks the probe for a widget: the panel scrolls to it, and the log gets its place and text.
 ask() {
   echo "$1" >"$TALWEG_PROBE"
   for _ in $(seq 100); do [ -e "$TALWEG_PROBE" ] || return 0; sleep 0.1; done
@@ -190,7 +190,7 @@ expect "Drop curve" "Esc drops a curve"
 expect "3 curve(s)" "three are left"
 picture painted
 
-# The view moves while one draws, and a curve that is being drawn stays.
+# The view moves during drawing, and the unfinished curve stays.
 clicks 300,500
 for button in 2 3; do
   mark
@@ -213,7 +213,7 @@ sleep 1
 if tail -n "+$((marked + 1))" "$log" | grep -aq "Created backup.*'Draw'"; then fail "Shift and a click beside a point draw nothing"; fi
 echo "ok: Shift and a click beside a point draw nothing"
 
-# Keys of a box and of a dialog are theirs, although a curve is being drawn.
+# Boxes and dialogs get their keys although a curve is being drawn.
 clicks 300,500 310,520
 press talwegTauBox
 mark

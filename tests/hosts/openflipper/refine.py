@@ -1,4 +1,4 @@
-"""Halves every edge of a PLY as talweg-scenes writes it: refine.py IN OUT TIMES. Old vertices stay."""
+"""Halves every edge of a PLY file by talweg-scenes: refine.py IN OUT TIMES. Old vertices stay."""
 import struct
 import sys
 

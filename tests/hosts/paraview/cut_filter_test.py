@@ -35,7 +35,7 @@ def filled(kind, name, rows, components=1):
 
 
 def sheet():
-    """Every kind of array that ParaView has in common use."""
+    """A sheet with all common kinds of ParaView's arrays."""
     data = polydata(POINTS, TRIANGLES)
     at_points, at_cells = data.GetPointData(), data.GetCellData()
     at_points.AddArray(filled(vtkDoubleArray, "plane", [x + 10 * y for x, y, _ in POINTS]))
@@ -96,7 +96,7 @@ class Pieces(Case):
         self.assertEqual(sorted(round(area(piece), 12) for piece in pieces), [3.5 * 8, 4.5 * 8])
         (left,) = self.pieces(cut(LINE, Keep="left", Open=1))
         self.assertAlmostEqual(area(left), 4.5 * 8, 12)
-        # Without the part inside, which is left of the loop.
+        # The part outside the loop, on its right.
         (outside,) = self.pieces(cut(LOOP, Keep="right", Open=1))
         self.assertAlmostEqual(area(outside), 64 - 3.5 ** 2, 12)
 
@@ -213,7 +213,7 @@ class Warnings(Case):
 
 
 class CurvesInBlocks(Case):
-    """Lines of a composite data set are the curves, as if they were in one data set."""
+    """Lines of a composite data set are curves as in a single data set."""
 
     def blocks(self, *lines):
         data = vtkMultiBlockDataSet()
@@ -258,7 +258,7 @@ class WrongInput(Case):
                                (pv.TalwegSmoothCurve, "No curve is given: choose one")):
             filter = make(Mesh=source(sheet()), Curve=None)
             self.assertIn(sentence, self.error_of(filter))
-            # In the window such a domain says "Index out of range: 0" until there is a curve.
+            # Such a domain would make the window print "Index out of range: 0" until there is a curve.
             names = filter.SMProxy.GetProperty("CurveIds")
             self.assertIsNone(names.FindDomain("vtkSMArrayListDomain"))
 
@@ -304,8 +304,8 @@ class Measure(Case):
     def test_the_column_that_a_spreadsheet_shows_first_says_which_curve(self):
         filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE, LOOP))
         rows = self.table(filter)
-        self.assertEqual(min(rows[0], key=str.lower), "# curve")  # in whatever case it sorts
-        # What is no measure of curves is in the field data, and every cell has a number.
+        self.assertEqual(min(rows[0], key=str.lower), "# curve")  # sorted first with any treatment of case
+        # Entries that are no measures of curves are in the field data, and every cell has a number.
         for row in rows:
             self.assertNotIn("faces", row)
             for name, value in row.items():

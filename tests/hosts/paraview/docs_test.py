@@ -1,4 +1,4 @@
-"""The Python blocks of docs/paraview.md, in a folder with the files that they name."""
+"""The Python blocks of docs/paraview.md, in a folder with their input files."""
 
 import os
 import pathlib

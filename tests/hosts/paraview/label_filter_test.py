@@ -13,7 +13,7 @@ POINTS, TRIANGLES = wavy_sheet(N)
 
 
 def left_of(x, y):
-    """A border that trembles from row to row."""
+    """A border that alternates from row to row."""
     return x < 0.5 + (0.03 if int(round(y * (N - 1))) % 2 else -0.03)
 
 
@@ -158,7 +158,7 @@ class Labels(Case):
                       self.error_of(both))
         missing = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="nothing")
         self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))
-        # The panel offers texts, too.
+        # The panel lists arrays of texts, too.
         data = polydata(POINTS, TRIANGLES)
         for array in (vtkStringArray(), vtkDoubleArray()):
             array.SetName("name" if array.IsA("vtkStringArray") else "vector")

@@ -1,4 +1,4 @@
-"""A curve is seen when it is shown: a wide line in a colour of its own. Nothing is rendered."""
+"""A curve begins as a wide line in a colour of its own. Nothing is rendered."""
 
 import pathlib
 import tempfile
@@ -31,7 +31,7 @@ class Looks(Case):
         self.assertEqual(mesh.LineWidth, 1)
 
     def test_the_colours_of_the_mesh_are_not_taken_over(self):
-        """ParaView colours by what the mesh is coloured by, where the curve would not be seen."""
+        """By default ParaView would colour the curve by the mesh's array, so that it could not be seen."""
         mesh = pv.Elevation(Input=source(polydata(POINTS, TRIANGLES)))
         view = pv.CreateView("RenderView")
         pv.ColorBy(pv.Show(mesh, view), ("POINTS", "Elevation"))

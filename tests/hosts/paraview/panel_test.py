@@ -15,13 +15,13 @@ OPTION = re.compile(r"^  --([a-z-]+)(,--no-[a-z-]+\{false\})?(?: (FLOAT|INT|UINT
 OF_THE_DRIVER = ("curve", "mesh-units", "report", "map", "repair", "tag", "write-distance",
                  "write-mesh", "write-labels", "write-became", "write-became-triangle", "quiet",
                  "verbose", "help")
-# The driver has one option --repair for these.
+# The driver has a single option --repair for these parameters.
 REPAIR = ("repair", "repair-weld", "repair-drop", "repair-orient", "repair-split")
 
 
 def described(plugin="talweg.smooth"):
-    """As the driver offers them, which it makes from the plugin's description, too:
-    [(id, kind, default or None, advanced)]."""
+    """The parameters as options of the driver, which are also made from the plugin's description: [(id, kind,
+    default or None, advanced)]."""
     help = subprocess.run([os.environ["TALWEG_DRIVER"], "run", plugin, "--help"],
                           capture_output=True, text=True, check=True).stdout
     options = []
@@ -49,7 +49,7 @@ class Panel(unittest.TestCase):
         mesh, curve = pv.Sphere(), pv.Line()
         drawing = {"Curve", "CurveIds"}
         smooth = {"DistanceField", "SlackUsed", "DeviationReached"}
-        self.filters = [  # the plugin, the filter, properties that are no parameters
+        self.filters = [  # (plugin, filter, properties that are no parameters)
             ("talweg.smooth", pv.TalwegSmoothPoints(Mesh=mesh), smooth | {"Points", "Closed"}),
             ("talweg.smooth", pv.TalwegSmoothVertices(Mesh=mesh), smooth | {"PointIds"}),
             ("talweg.smooth", pv.TalwegSmoothCurve(Mesh=mesh, Curve=curve), smooth | drawing),
@@ -65,7 +65,7 @@ class Panel(unittest.TestCase):
             with self.subTest(filter=filter.GetXMLName()):
                 own = more | {"Mesh", "Outcome", "MeshesOpened", "CurvesSet", "Runs"}
                 properties = set(filter.ListProperties()) - own
-                # The third input says how many these are.
+                # The filter counts the curves of its third input itself.
                 options = [option for option, *_ in described(plugin) if option != "others"]
                 self.assertEqual(properties, {property_name(option) for option in options})
                 self.assertIn("Repair", properties)
@@ -78,10 +78,10 @@ class Panel(unittest.TestCase):
                 name = property_name(option)
                 value = filter.GetPropertyValue(name)
                 with self.subTest(plugin=plugin, property=name):
-                    if kind == "LIST":  # a text; not given
+                    if kind == "LIST":  # a text; empty means no value
                         self.assertIsNone(default)
                         self.assertEqual(value, "")
-                    elif default is None:  # not given
+                    elif default is None:  # no value
                         self.assertIn(value, (-1, "None"))
                     elif kind == "TEXT":
                         self.assertEqual(value, default)
@@ -91,7 +91,8 @@ class Panel(unittest.TestCase):
                     self.assertEqual(shown, "advanced" if advanced else "default")
 
     def test_errors_have_the_names_of_the_panel(self):
-        """Of each number that has a bound, for each filter: what is said of a value beyond it."""
+        """For each filter, a value beyond the bound of each number: the error must name the panel's
+        property."""
         tried = 0
         for plugin, filter, _ in self.filters:
             for option, kind, default, _ in described(plugin):
@@ -106,7 +107,7 @@ class Panel(unittest.TestCase):
                     sentence = told(filter)
                     setattr(filter, name, before)
                     self.assertNotRegex(sentence, r"[a-z]_[a-z]|\([a-z]+\)")
-                    if "must be" not in sentence:  # 0 is a value of it
+                    if "must be" not in sentence:  # 0 is allowed
                         continue
                     tried += 1
                     label = filter.SMProxy.GetProperty(name).GetXMLLabel()

@@ -1,4 +1,4 @@
-"""Talweg Plugin: a decimation written with OpenMesh (docs/examples) runs as it is."""
+"""Talweg Plugin runs a decimation plugin written with OpenMesh (docs/examples)."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Talweg Repair: what is no surface becomes one, with its arrays, and it is told what was done."""
+"""Talweg Repair: a mesh that is no surface becomes one, with its arrays and a report of the changes."""
 
 import unittest
 
@@ -7,7 +7,7 @@ from vtkmodules.vtkCommonCore import vtkIntArray, vtkStringArray
 import runner
 from support import Case, cell_values, output, polydata, pv, real_mesh, report, source, told, values
 
-# Two triangles that should share an edge, and one of them again: two vertices are there twice.
+# Two triangles that should share an edge, and a repeated triangle; two vertices occur twice.
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 TRIANGLES = [(0, 1, 2), (3, 4, 5), (4, 5, 3)]
 

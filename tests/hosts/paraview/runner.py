@@ -1,4 +1,4 @@
-"""Runs the tests of the file that calls it, and says which were skipped and why."""
+"""Runs the tests of the calling file, and prints which were skipped and why."""
 
 import sys
 import unittest

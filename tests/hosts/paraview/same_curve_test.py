@@ -1,6 +1,6 @@
 """ParaView gives the driver's curve, bit for bit, for the same mesh, drawing and parameters.
 
-The driver's JSON has 17 digits, so every number in it is the number that was computed.
+The driver's JSON has 17 digits, so its numbers are exact.
 """
 
 import json
@@ -18,7 +18,7 @@ from support import (Case, lines_of, output, places, polydata, pv, real_mesh, re
 
 
 def write_obj(data, file):
-    """The mesh as the filter gets it, digit for digit."""
+    """Writes the filter's input mesh with all digits."""
     corners = vtkIdList()
     with open(file, "w") as out:
         for k in range(data.GetNumberOfPoints()):
@@ -80,7 +80,7 @@ class SameCurve(Case):
                 self.check(filter, run(mesh_file, drawn, *options))
 
     def run_plugin(self, mesh, curve, *options):
-        """Options that `talweg smooth` does not have."""
+        """Runs the driver with options that `talweg smooth` does not have."""
         result = self.folder / "run.json"
         self.driver("run", "talweg.smooth", mesh, "--curve", curve, "-o", result, *options)
         return json.loads(result.read_text())["curves"]
@@ -127,7 +127,7 @@ class SameCurve(Case):
         mesh, obj, surface, lines = self.two_curves()
         filter = pv.TalwegSmoothCurve(Mesh=surface, Curve=lines)
         taus = self.smoothed(mesh, obj, "--tau", "0.1,4")
-        for others in ("0.1", "4", "4,0.1"):  # else the comparison would prove nothing
+        for others in ("0.1", "4", "4,0.1"):  # otherwise the comparison would prove nothing
             self.assertNotEqual(taus, self.smoothed(mesh, obj, "--tau", others))
         for properties, of_the_plugin, of_smooth in (
                 ({"Taus": "0.1, 4"}, ("--taus", "0.1,4"), ("--tau", "0.1,4")),

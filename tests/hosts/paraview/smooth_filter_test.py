@@ -1,4 +1,5 @@
-"""The filter's outputs, its three kinds of drawing, wrong input, abort, and what a change costs."""
+"""The filter's outputs, its three kinds of drawing, wrong input, abort, and the stages that a change
+repeats."""
 
 import math
 import pathlib
@@ -13,7 +14,7 @@ from support import (Case, Said, cell_values, column, counts, lines_of, output, 
 
 N = 24
 POINTS, TRIANGLES = wavy_sheet(N)
-# A wave, drawn with a trembling hand; no two numbers are neighbours.
+# A wave with a jagged line; consecutive vertices are no neighbours.
 ZIGZAG = [N * row + 11 + round(6 * math.sin(row / 3)) + (1 if row % 2 else -1)
           for row in range(2, N - 2)]
 LOOP = [N * 4 + 4, N * 4 + 16, N * 16 + 16, N * 16 + 4]
@@ -99,7 +100,7 @@ class Outputs(Case):
                 self.assertAlmostEqual(arcs[point], length, 12)
 
     def test_curves_have_the_arrays_of_the_mesh(self):
-        """Linear functions of the place are the same between the corners; cells give their own."""
+        """Linear functions of the place stay linear between the corners; cell arrays are copied."""
         data = polydata(POINTS, TRIANGLES)
         from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray
         heights, numbers = vtkDoubleArray(), vtkIntArray()
@@ -126,8 +127,8 @@ class Outputs(Case):
         field = values(mesh, "distance")
         for v in ZIGZAG:
             self.assertEqual(field[v], 0)
-        # Along the surface is no shorter than through space to the nearest of the drawing's edges,
-        # which are no farther than their ends less an edge.
+        # The distance along the surface is at least the distance through space to the nearest edge of the
+        # drawing, which is at least the distance to the nearest vertex minus an edge.
         longest = max(distance(POINTS[a], POINTS[b]) for a, b, _ in TRIANGLES)
         for v, point in enumerate(POINTS):
             nearest = min(distance(point, POINTS[w]) for w in ZIGZAG)
@@ -157,7 +158,7 @@ class Outputs(Case):
             self.assertRegex(log.read_text(), "Talweg: length .* curvature .*: converged")
 
     def test_a_warning_is_not_repeated_while_it_is_so(self):
-        """Each click makes another drawing, and ParaView opens its messages for each warning."""
+        """Each click makes another drawing, and ParaView opens its window of messages for each warning."""
         filter = pv.TalwegSmoothVertices(Mesh=source(polydata(POINTS, quads())), PointIds=TEXT)
         said = []
         for change in ({"Tau": 1}, {"Tau": 2}, {"PointIds": " ".join(map(str, LOOP))}):
@@ -186,7 +187,8 @@ class Outputs(Case):
 
 
     def test_a_bound_instead_of_a_deviation_is_no_warning_but_reported(self):
-        """Around three sides of a sheet of needles, where measuring takes far longer than smoothing."""
+        """A drawing around three sides of a sheet of needles, where measuring takes far longer than
+        smoothing."""
         wide, high = 800, 6
         points = [(4 * i / wide, j, 0) for j in range(high + 1) for i in range(wide + 1)]
         corners = [(wide + 1) * j + i for j in range(high) for i in range(wide)]
@@ -201,7 +203,7 @@ class Outputs(Case):
 
 
 class Begin(Case):
-    """What a new filter shows before anything was set."""
+    """The first state of a new filter."""
 
     def test_points_begin_on_the_mesh(self):
         for scale, offset in ((1, 0), (0.01, 5), (1000, -300)):
@@ -220,7 +222,7 @@ class Begin(Case):
                 self.assertLess(nearest, 1e-9 * (scale + abs(offset)))
 
     def test_points_begin_where_a_mesh_with_a_gap_is_seen(self):
-        """The middle of its box is empty, so that what is nearest to it is not seen."""
+        """The middle of the mesh's box is a gap, so that the point nearest to it is not visible."""
         n = 25
         points, triangles = wavy_sheet(n)
         kept = [corners for corners in triangles
@@ -233,7 +235,7 @@ class Begin(Case):
             self.assertTrue(y < 0.28 or y > 0.72, y)
 
     def test_points_begin_where_they_are_seen_from_close_by(self):
-        """Of a ball the view from near shows a small cap only."""
+        """From close by, only a small cap of a ball is visible."""
         ball = pv.Sphere(Radius=1, ThetaResolution=64, PhiResolution=64)
         ball.UpdatePipeline()
         view = pv.CreateView("RenderView")
@@ -248,7 +250,7 @@ class Begin(Case):
         pv.Delete(view)
 
     def test_no_ray_falls_between_faces(self):
-        """In the middle plane of a mesh a rounded number decides where a ray is looked for."""
+        """In the middle plane of a mesh, rounding decides in which cell a ray is searched."""
         points, triangles = wavy_sheet(25)
         mesh = source(polydata([(x + 0.3, y + 0.3, z) for x, y, z in points], triangles))
         mesh.UpdatePipeline()
@@ -292,7 +294,7 @@ class Begin(Case):
 
 
 class Told(Case):
-    """What the panel shows of the last run."""
+    """The panel's text on the last run."""
 
     def test_slack_used_and_deviation_reached(self):
         filter = sheet(PointIds=TEXT)
@@ -317,7 +319,7 @@ class Told(Case):
         self.assertNotIn("No result", told(filter))
 
     def test_points_far_from_the_mesh(self):
-        """Near it nothing is said of them, farther away it is a warning, then there is no result."""
+        """Close points cause no warning, farther points a warning, and points far away an error."""
         edge = 1 / (N - 1)
         lifted = lambda height: [c for v in LOOP for c in (*POINTS[v][:2], POINTS[v][2] + height)]
         filter = sheet(Points=lifted(1e-9))
@@ -456,7 +458,7 @@ class Meshes(Case):
         with Said() as said:
             filter.UpdatePipeline()
         self.assertIn("polygons were cut into triangles", said.text())
-        # As fans from the first corner, so these are the sheet's triangles.
+        # The fans from the first corner are the sheet's triangles.
         self.assertEqual(places(output(filter, 0)), places(self.curve_of(sheet(PointIds=TEXT))))
         self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
 
@@ -473,7 +475,7 @@ class Meshes(Case):
         self.assertEqual(output(filter, 1).GetNumberOfPolys(), len(TRIANGLES))
 
     def test_concave_polygons_are_cut_inside(self):
-        # An L of area 3; the fan from its first corner leaves it.
+        # An L of area 3, which the fan from its first corner does not cover.
         points = [(2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0), (0, 0, 0)]
         mesh = output(pv.TalwegSmoothVertices(Mesh=source(polydata(points, [list(range(6))])),
                                               PointIds="0 5"), 1)
@@ -482,7 +484,7 @@ class Meshes(Case):
             a, b, c = (points[mesh.GetCell(k).GetPointId(i)] for i in range(3))
             areas.append(((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2)
         self.assertEqual(len(areas), 4)
-        self.assertGreater(min(areas), 0)  # none is turned over
+        self.assertGreater(min(areas), 0)  # no triangle is inverted
         self.assertAlmostEqual(sum(areas), 3)
 
     def test_cell_arrays_follow_their_cells(self):
@@ -523,7 +525,8 @@ class Meshes(Case):
         self.assertEqual(curves.GetBlock(1).GetNumberOfPoints(), len(alone))
 
     def test_a_drawing_for_each_block(self):
-        """A block cannot have the other's curve; as one mesh they have both, smoothed together."""
+        """A curve of one block cannot lie on the other; as one mesh they have both curves, smoothed
+        together."""
         far = [(x + 5, y, z) for x, y, z in POINTS]
         blocks, drawings = (
             pv.GroupDatasets(Input=[source(polydata(points, *cells)) for points in (POINTS, far)])
@@ -614,7 +617,7 @@ class WrongInput(Case):
 
 
 class Changes(Case):
-    """What a change repeats, counted by the filter."""
+    """The stages that a change repeats, counted by the filter."""
 
     def test_only_the_stage_that_a_change_concerns(self):
         filter = sheet(PointIds=TEXT)
@@ -712,7 +715,8 @@ class Abort(Case):
 
 class RealMeshes(Case):
     def check(self, mesh, name):
-        """Smoother, no longer, on the mesh; the million-face mesh is opened once for two tau."""
+        """The result is smoother, not longer, and on the mesh; the million-face mesh is opened once for two
+        values of tau."""
         ids = reference_curve(name)
         filter = pv.TalwegSmoothVertices(Mesh=mesh, PointIds=" ".join(map(str, ids)))
         curve = self.curve_of(filter)
@@ -745,7 +749,7 @@ class RealMeshes(Case):
         self.assertRegex(self.error_of(filter), "(edge|vertex).* Tick Repair")
         filter.Repair = 1
         curve = self.curve_of(filter)
-        self.assertEqual(values(curve, "vertex")[0], cell.GetPointId(0))  # the input's numbers
+        self.assertEqual(values(curve, "vertex")[0], cell.GetPointId(0))  # the input's indices
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What the tests of the filter share: the plugin, meshes, outputs as lists, what ParaView said."""
+"""Helpers of the filter's tests: the plugin, meshes, outputs as lists, and ParaView's messages."""
 
 import math
 import os
@@ -17,7 +17,7 @@ MESHES = pathlib.Path(
 
 
 def real_mesh(name):
-    """The file of a real mesh; the test is skipped where it is missing."""
+    """The file of a real mesh; skips the test if it is missing."""
     file = MESHES / name
     if not file.exists():
         raise unittest.SkipTest(f"no {name} in {MESHES} (set TALWEG_MESHES)")
@@ -25,7 +25,7 @@ def real_mesh(name):
 
 
 def reference_curve(name):
-    """Vertex numbers of a reference drawing; a closed one repeats its first."""
+    """Vertex indices of a reference drawing; a closed drawing repeats its first vertex."""
     file = MESHES.parent / "reference" / "curves" / f"{name}.txt"
     if not file.exists():
         raise unittest.SkipTest(f"no {file.name} in {file.parent} (set TALWEG_MESHES)")
@@ -63,7 +63,7 @@ def polydata(points, polygons=(), lines=(), precision="double"):
 
 
 def source(data):
-    """A pipeline object that gives this data set."""
+    """A pipeline object with this data set as output."""
     producer = pv.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     return producer
@@ -116,20 +116,20 @@ def lines_of(data):
 
 
 def counts(filter):
-    """How often the filter opened a mesh, set curves, and smoothed."""
+    """The numbers of opened meshes, of set curves, and of smoothings."""
     filter.SMProxy.UpdatePropertyInformation()
     return tuple(filter.SMProxy.GetProperty(name).GetElement(0)
                  for name in ("MeshesOpened", "CurvesSet", "Runs"))
 
 
 def told(filter, name="Outcome"):
-    """What the filter says of its last run, as the panel asks for it."""
+    """The filter's text on its last run, as in the panel."""
     filter.SMProxy.UpdatePropertyInformation()
     return filter.SMProxy.GetProperty(name).GetElement(0)
 
 
 class Said:
-    """What ParaView's output window was told meanwhile, as (event, text)."""
+    """Records messages to ParaView's output window, as (event, text)."""
 
     def __enter__(self):
         self.lines = []
@@ -152,7 +152,8 @@ class Said:
 
 class Case(unittest.TestCase):
     def error_of(self, filter):
-        """Updates the filter, which must fail and give nothing; the sentence in ParaView's error."""
+        """Updates the filter, which must fail with empty outputs; returns the sentence of ParaView's
+        error."""
         with Said() as said:
             filter.UpdatePipeline()
         errors = [text for event, text in said.lines if event == "ErrorEvent"]
@@ -165,14 +166,14 @@ class Case(unittest.TestCase):
         return errors[0]
 
     def update(self, filter):
-        """Updates the filter, which must not fail; what it warned of."""
+        """Updates the filter, which must not fail; returns its warnings."""
         with Said() as said:
             filter.UpdatePipeline()
         self.assertEqual([text for event, text in said.lines if event == "ErrorEvent"], [])
         return [text for event, text in said.lines if event == "WarningEvent"]
 
     def curve_of(self, filter):
-        """Updates the filter, which must not fail; its curves."""
+        """Updates the filter, which must not fail; returns its curves."""
         with Said() as said:
             filter.UpdatePipeline()
         self.assertEqual([text for event, text in said.lines if event == "ErrorEvent"], [])

@@ -1,5 +1,5 @@
-"""The times that docs/paraview.md names: processor time of UpdatePipeline, medians of five fresh programs. No
-test: it prints a table.
+"""Prints the table of times in docs/paraview.md: processor time of UpdatePipeline, medians of five new
+processes. This program is no test.
 
 pvpython tests/hosts/paraview/times.py      (TALWEG_PARAVIEW: the path of Talweg.so; TALWEG_MESHES: the meshes)
 """
@@ -50,7 +50,7 @@ def field(name):
 
 def cut(name):
     mesh = pv.Elevation(Input=mesh_of(name))
-    mesh.UpdatePipeline()  # a slice begins in the middle of what it knows
+    mesh.UpdatePipeline()  # a slice needs an up-to-date input
     slice = pv.Slice(Input=mesh)
     slice.SliceType.Normal = [0, 1, 0]
     slice.UpdatePipeline()

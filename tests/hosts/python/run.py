@@ -1,4 +1,4 @@
-"""run.py MODULE: runs its tests; ends with 77, and says why, where Python lacks numpy."""
+"""run.py MODULE: runs the tests of a module; exits with 77, and says why, if Python lacks numpy."""
 
 import sys
 import unittest

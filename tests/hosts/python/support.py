@@ -1,4 +1,4 @@
-"""Meshes, drawings, and the driver to compare with."""
+"""Meshes, drawings, and the driver for comparisons."""
 
 import json
 import os
@@ -61,7 +61,7 @@ def write_obj(path, vertices, faces):
 
 
 def read_ply(path):
-    """Vertices (as they are stored, float32 or float64) and triangles of a binary PLY file."""
+    """Vertices (float32 or float64, as stored) and triangles of a binary PLY file."""
     data = Path(path).read_bytes()
     head, body = data.split(b"end_header\n", 1)
     kinds = {"float": "<f4", "double": "<f8", "int": "<i4", "uint": "<u4", "uchar": "u1"}
@@ -79,7 +79,7 @@ def read_ply(path):
 
 
 def real_mesh(name):
-    """The path of a real mesh; skips the test where there is none."""
+    """The path of a real mesh; skips the test if it is missing."""
     path = MESHES / name
     if not path.is_file():
         raise unittest.SkipTest(f"no {name} in {MESHES} (TALWEG_MESHES)")
@@ -87,7 +87,7 @@ def real_mesh(name):
 
 
 def driver(folder, *arguments):
-    """Runs the driver in a folder; its messages, if it fails, as an AssertionError."""
+    """Runs the driver in a folder; a failure becomes an AssertionError with its messages."""
     done = subprocess.run([os.environ["TALWEG_DRIVER"], "--quiet", *map(str, arguments)],
                           cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode not in (0, 3):

@@ -1,4 +1,4 @@
-"""Layouts and types of arrays: handed over as they lie where that can be, and always the same result."""
+"""Layouts and types of arrays: passed without a copy where possible, always with the same result."""
 
 import unittest
 
@@ -82,7 +82,8 @@ class Arrays(unittest.TestCase):
             self.assertEqual(values.shape, (len(result.curve),))
         largest = result.curve.fields["deviation"].max()
         self.assertLess(0, largest)
-        self.assertLessEqual(largest, result.report.deviation_to_drawn_max)  # between points, too
+        self.assertLessEqual(largest, result.report.deviation_to_drawn_max)  # the report also measures
+                                                                             # between points
         self.assertAlmostEqual(result.curve.fields["curvature"].sum(),
                                result.report.curvature_after, places=9)
         distance = result.fields["distance"]
@@ -116,7 +117,7 @@ class Arrays(unittest.TestCase):
 
 class Stages(unittest.TestCase):
     def test_a_moved_tau_costs_only_its_stage(self):
-        """What earlier stages did is not done again: their clocks stand still."""
+        """Earlier stages are not repeated: their times stay the same."""
         work = talweg.Mesh(*support.hills(100)).workspace(support.staircase(100))
         first = work.smooth(1.0).report
         for tau in (0.5, 2.0, 1.0):

@@ -1,4 +1,4 @@
-"""Attributes of meshes: kept, checked, and the same again after a way through each other package."""
+"""Attributes of meshes: kept, checked, and unchanged after a conversion to each other package and back."""
 
 import importlib
 import types
@@ -11,7 +11,7 @@ import talweg
 
 
 def package(test, name, how):
-    """The package; skips the test where it is not there."""
+    """Imports the package; skips the test if it is missing."""
     try:
         return importlib.import_module(name)
     except ImportError:
@@ -120,7 +120,7 @@ class Attributes(unittest.TestCase):
             polygons.InsertNextCell(3, triangle)
         polydata.SetPolys(polygons)
         polydata.SetLines(lines)
-        number = support_.numpy_to_vtk(np.arange(1 + len(quads) + 1))  # the line's is the first
+        number = support_.numpy_to_vtk(np.arange(1 + len(quads) + 1))  # the first value belongs to the line
         number.SetName("n")
         polydata.GetCellData().AddArray(number)
         texts = core.vtkStringArray()

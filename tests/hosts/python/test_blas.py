@@ -1,4 +1,5 @@
-"""OpenBLAS is numpy's, too: its threads are as before after a call, and change no byte of a result."""
+"""numpy uses the same OpenBLAS: a call restores its number of threads, and the number changes no byte of a
+result."""
 
 import hashlib
 import os
@@ -14,12 +15,12 @@ FOLDERS = {name: folder for name in ("serial", "pthread", "openmp")
 
 
 def distances():
-    """Prints OpenBLAS' number of threads before and after a call, and the call's result in short."""
+    """Prints OpenBLAS' number of threads before and after a call, and a hash of the call's result."""
     import ctypes
     import numpy as np
     import talweg
 
-    blas = ctypes.CDLL("libblas.so.3")  # the one that CHOLMOD has loaded
+    blas = ctypes.CDLL("libblas.so.3")  # the library that CHOLMOD has loaded
     before = blas.openblas_get_num_threads()
     matrix = np.ones((200, 200)) @ np.ones((200, 200))
     result = talweg.distance(support.torus(150), support.ring(150), potential="paper").distance
@@ -29,7 +30,7 @@ def distances():
 
 
 def two_plugins_at_once():
-    """Prints how many results of two plugins on two threads are not those of one at a time."""
+    """Prints the number of results of two plugins on two threads that differ from sequential results."""
     import threading
     import numpy as np
     import talweg
@@ -62,7 +63,7 @@ def two_plugins_at_once():
 
 
 def run(name, openblas, threads):
-    """What a function of this file prints in a process of its own."""
+    """The output of a function of this file in a new process."""
     return subprocess.run(
         [sys.executable, __file__, name], check=True, capture_output=True, text=True,
         env=os.environ | {"LD_LIBRARY_PATH": str(FOLDERS[openblas]),

@@ -1,4 +1,4 @@
-"""Progress, cancelling and Ctrl-C: no result then, and the workspace goes on as if nothing had been."""
+"""Progress, cancel and Ctrl-C: there is no result, and the workspace stays usable."""
 
 import os
 import signal
@@ -23,7 +23,7 @@ class Cancel(unittest.TestCase):
         self.work = self.mesh.workspace(self.drawn, potential="paper")
 
     def begin_anew(self):
-        """The stage of the curves is done again."""
+        """Makes the next run repeat the stage of the curves."""
         for heat_time in (9, None):
             self.work.set(heat_time=heat_time)
 
@@ -102,14 +102,14 @@ class Cancel(unittest.TestCase):
         self.as_if_nothing_had_been()
 
     def interrupted(self, seconds, step):
-        """Repeats step() until a signal that comes after so many seconds."""
+        """Repeats step() until a signal arrives after this many seconds."""
         timer = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT))
         patience = time.monotonic() + seconds + 5
         with self.assertRaises(KeyboardInterrupt):
-            timer.start()  # the signal may come at once
+            timer.start()  # the signal may arrive at once
             while True:
                 step()
-                # Python drops what is raised in a finalizer; one presses again.
+                # Python drops exceptions in finalizers; the signal is sent again.
                 if time.monotonic() > patience:
                     os.kill(os.getpid(), signal.SIGINT)
         timer.join()
@@ -142,7 +142,7 @@ class Cancel(unittest.TestCase):
         self.as_if_nothing_had_been()
 
     def test_a_bar_of_tqdm(self):
-        class Bar:  # what tqdm offers
+        class Bar:  # the interface of a tqdm bar
             total, n, shown, stages = 1, 0.0, [], []
 
             def set_description(self, text, refresh=True):

@@ -1,4 +1,4 @@
-"""Turns along curves: the library's numbers, and a plot of them."""
+"""Turns along curves: the library's numbers, and their plot."""
 
 import tempfile
 import unittest
@@ -12,7 +12,7 @@ from talweg import _turning
 
 
 def bending(turns, edge):
-    """What docs/driver.md says of it: edge times the integral of (T / w)^2, w being half an edge."""
+    """Bending as defined in docs/driver.md: edge times the integral of (T / w)^2, where w is half an edge."""
     window = edge / 2
     at, angle = turns.at, turns.angle
     if turns.closed:
@@ -27,10 +27,10 @@ def bending(turns, edge):
 
 
 def fan(angles, boundary):
-    """A vertex 0 with faces of these angles around it, and points along the angle from the first edge."""
+    """A vertex 0 with faces of these angles around it, and points at angles from the first edge."""
     ends = np.cumsum([0, *angles])
     scale = 1.0
-    if not boundary:  # a cone over a circle: its sides are 1 long, and its angles those that are given
+    if not boundary:  # a cone over a circle: sides of length 1 with the given angles
         radius = None
         low, high = 0.0, 1.0
         for _ in range(200):
@@ -50,7 +50,7 @@ def fan(angles, boundary):
 
 class Turns(unittest.TestCase):
     def test_the_reports_numbers(self):
-        """Of results, through faces, edges and vertices, and of drawings along edges."""
+        """Numbers of results, through faces, edges and vertices, and of drawings along edges."""
         for (vertices, faces), drawn, closed in ((support.hills(), support.staircase(), False),
                                                  (support.torus(), support.ring(), True)):
             result = talweg.smooth((vertices, faces), drawn, closed=closed, point_fields=True)
@@ -71,7 +71,7 @@ class Turns(unittest.TestCase):
                                        result.curve.fields["curvature"][inner][free], atol=1e-9)
 
     def test_plane(self):
-        """In a plane turns are those of the polyline, and left is left."""
+        """In a plane the turns are those of the polyline, positive to the left."""
         vertices, faces = support.hills(12)
         vertices[:, 2] = 0
         path = np.array([13, 25, 26, 27, 39, 52, 64])
@@ -85,7 +85,7 @@ class Turns(unittest.TestCase):
         np.testing.assert_allclose(back.angle, -turns.angle[::-1], atol=1e-12)
 
     def test_vertices(self):
-        """Half the difference of the side angles; on the boundary pi less the one inside."""
+        """Half the difference of the side angles; on the boundary, pi minus the angle inside."""
         angles = [0.9, 0.7, 1.1, 0.8, 1.0]
         vertices, faces = fan(angles, boundary=False)
         for first, last in ((0, 2), (1, 3), (3, 0), (4, 1)):
@@ -154,7 +154,7 @@ class Plots(unittest.TestCase):
             talweg.plot_curvature(self.result, file=self.folder / "nowhere/a.png")
 
     def test_drawings_of_every_kind(self):
-        """As positions near the surface, as a result, as several; and a loop."""
+        """Drawings as positions near the surface, as a result, as several curves, and as a loop."""
         positions = self.vertices[support.staircase()] + [0, 0, 0.05]
         for drawn in (positions, self.result.curve):
             talweg.plot_curvature(self.mesh.smooth(drawn), self.axes)

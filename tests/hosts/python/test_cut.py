@@ -1,4 +1,4 @@
-"""talweg.cut: exact cuts, attributes that come along, and where everything comes from."""
+"""talweg.cut: exact cuts, interpolated attributes, and origins."""
 
 import pickle
 import tempfile
@@ -66,7 +66,7 @@ class Cut(unittest.TestCase):
             self.assertIn(tuple(sorted((a, b))), edges)
         old, new = (area(m.vertices, m.faces) for m in (self.mesh, made))
         summed = np.bincount(made.origin.faces, new, len(old))
-        np.testing.assert_allclose(summed, old, rtol=1e-9)  # no face is lost, and none grows
+        np.testing.assert_allclose(summed, old, rtol=1e-9)  # no face is lost or enlarged
 
     def test_attributes(self):
         made = self.mesh.cut(self.curve, carry={"id": "nearest"}).mesh

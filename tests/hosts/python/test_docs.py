@@ -1,4 +1,4 @@
-"""The Python blocks of docs/python.md and README.md, in their order, and the example with its pictures."""
+"""Runs the Python blocks of docs/python.md and README.md, in order, and the example with pictures."""
 
 import contextlib
 import importlib.util
@@ -57,7 +57,7 @@ class Docs(unittest.TestCase):
             made = runpy.run_path(str(script))
             for picture in ("python_terrain.png", "python_fields.png"):
                 self.assertEqual((Path(folder) / picture).read_bytes()[:4], b"\x89PNG")
-        # What the example claims to show.
+        # The claims of the example.
         report = made["smoothed"][1].report
         self.assertLess(report.curvature_after, report.curvature_before / 10)
         self.assertLessEqual(made["within"].report.deviation_to_drawn_max, 30)

@@ -1,4 +1,4 @@
-"""The driver and this package give the same, bit for bit."""
+"""The driver and this package give equal results, bit for bit."""
 
 import json
 import math
@@ -13,7 +13,7 @@ import talweg
 
 
 def names_of(parameters):
-    """Options of the driver from parameters of the plugin."""
+    """Options of the driver for parameters of the plugin."""
     options = []
     for name, value in parameters.items():
         text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
@@ -119,7 +119,7 @@ class Driver(unittest.TestCase):
                        "-o", "out.json")
         self.equal_curves(self.folder / "out.json",
                           talweg.smooth((vertices, faces), given, 0.5).curves)
-        # A result is a drawing as it is: the same as by its faces and barycentrics.
+        # A result can be a drawing: equal to one by its faces and barycentrics.
         self.equal_curves(self.folder / "out.json",
                           talweg.smooth((vertices, faces), first, 0.5).curves)
 

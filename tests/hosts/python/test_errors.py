@@ -1,4 +1,4 @@
-"""Bad input: an exception with its code and the library's sentence, and Python goes on."""
+"""Bad input raises an exception with a code and the library's sentence; Python continues."""
 
 import logging
 import os
@@ -29,7 +29,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(caught.exception.code, kind.code)
         self.assertIn(words, str(caught.exception))
         self.assertNotIn("\n", str(caught.exception))
-        # Nothing is left behind: the same process goes on as if nothing had been.
+        # The same process works afterwards.
         self.assertEqual(talweg.smooth((self.vertices, self.faces), self.drawn).report.termination,
                          "converged")
 

@@ -1,4 +1,4 @@
-"""Curve files: the driver's bytes, and what was written comes back."""
+"""Curve files have the driver's bytes, and can be read again."""
 
 import tempfile
 import unittest
@@ -25,7 +25,7 @@ class Files(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def test_spaces(self):
-        """A mesh tells its space, and curves of another one are turned, which is told."""
+        """A mesh has its space; curves in another space are converted, with a note."""
         corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
         talweg.write_mesh(self.folder / "plain.ply", (corners, [[0, 2, 1], [0, 1, 3], [1, 2, 3],
                                                                [2, 0, 3]]))
@@ -133,7 +133,7 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(talweg.BadUsage, "face, barycentrics and a position"):
             talweg.write_curves(self.folder / "curve.json", talweg.Curve(self.drawn))
         with self.assertRaises(talweg.Error):
-            talweg.write_curves(self.folder / "curve.txt", self.curve)  # not all at vertices
+            talweg.write_curves(self.folder / "curve.txt", self.curve)  # some points are no vertices
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["bad.txt"])
 
 

@@ -1,4 +1,4 @@
-"""The example that works on a folder of meshes, in processes of its own."""
+"""The example that processes a folder of meshes in several processes."""
 
 import csv
 import importlib

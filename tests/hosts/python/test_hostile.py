@@ -1,4 +1,5 @@
-"""Plugins that give nonsense, or never return: an error each time, and the program goes on."""
+"""Plugins with nonsense as results, or without an end: each call raises an error, and the program
+continues."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""The structs in ctypes are those of the header, and the package's version is the project's."""
+"""The structs of ctypes equal the header's, and the package has the project's version."""
 
 import ctypes
 import re

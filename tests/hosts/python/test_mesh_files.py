@@ -1,4 +1,4 @@
-"""Mesh files: read with all that they say, written as the driver writes them."""
+"""Mesh files: read with all their data, written with the driver's bytes."""
 
 import pickle
 import tempfile
@@ -108,12 +108,12 @@ end_header
             [[[0, 0], [1, 0], [1, 1]], [[0.5, 0.5], [1, 1], [0, 1]]])
         material = mesh.face_names["usemtl"]
         self.assertEqual([material[k] for k in mesh.face_attributes["usemtl"]],
-                         ["ivory", "caf\udce9"])  # whatever bytes the file has
+                         ["ivory", "caf\udce9"])  # with any bytes of the file
         self.assertEqual(mesh.face_names["g"][mesh.face_attributes["g"][1]], "left side")
         self.assertEqual(mesh.references, ["mtllib bone.mtl"])
         talweg.write_mesh(self.path("b.obj"), mesh)
         self.same(talweg.read_mesh(self.path("b.obj")), mesh)
-        self.assertEqual(self.path("b.obj").read_bytes().count(b"\nvt "), 5)  # shared again
+        self.assertEqual(self.path("b.obj").read_bytes().count(b"\nvt "), 5)  # entries are shared again
         self.same(pickle.loads(pickle.dumps(mesh)), mesh)
 
     def test_pieces_keep_names(self):

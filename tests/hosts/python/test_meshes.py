@@ -1,4 +1,4 @@
-"""Meshes of other packages, by what they look like and, where installed, by themselves."""
+"""Meshes of other packages, by objects with the same members, and by the packages where installed."""
 
 import tempfile
 import types

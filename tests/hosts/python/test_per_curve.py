@@ -1,4 +1,4 @@
-"""Curves of one set with a tau, a slack and a finish of their own."""
+"""Curves of one set with different values of tau, slack and finish."""
 
 import unittest
 
@@ -42,7 +42,7 @@ class PerCurve(unittest.TestCase):
     def test_one_value_beside_the_list_is_for_the_rest(self):
         work = self.mesh.workspace(self.curves)
         expected = self.mesh.smooth(self.curves, [0.1, 3, 0.5]).curves
-        for _ in range(2):  # the second time there is a list already
+        for _ in range(2):  # the second time the list already exists
             result = work.smooth(3, taus=[0.1, -1, 0.5])
             self.assertEqual(work.parameters["taus"], [0.1, -1, 0.5])
             for ours, theirs in zip(result.curves, expected):

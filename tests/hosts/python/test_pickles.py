@@ -1,4 +1,4 @@
-"""Everything pickles, and is the same afterwards, also in another process."""
+"""All objects pickle without a change, also into another process."""
 
 import copy
 import pickle
@@ -65,7 +65,7 @@ class Pickles(unittest.TestCase):
         self.same_curve(result.mesh.smooth(result.drawn, 2, point_fields=True).curve, result.curve)
 
     def test_results_share_their_mesh(self):
-        """A mesh is once in a pickle, however many results on it there are."""
+        """A pickle has a mesh once, for any number of results on it."""
         several = [self.mesh.smooth(self.drawn, tau) for tau in (0.5, 1, 2)]
         self.assertIs(several[0].mesh, several[1].mesh)
         self.assertTrue(np.shares_memory(several[0].mesh.vertices, self.vertices))

@@ -19,7 +19,7 @@ def quarters(points):
 
 
 def broken():
-    """hills(), each face with vertices of its own, and one face twice."""
+    """hills() with separate vertices for each face, and one face twice."""
     vertices, faces = support.hills()
     soup = np.arange(3 * len(faces)).reshape(-1, 3)
     return vertices[faces].reshape(-1, 3), np.concatenate([soup, soup[:1]])
@@ -50,7 +50,7 @@ class Labels(unittest.TestCase):
         ab = np.moveaxis(made.vertices[made.faces], 1, 0)
         areas = np.linalg.norm(np.cross(ab[1] - ab[0], ab[2] - ab[0]), axis=1)
         for face in np.unique(made.origin.faces[exact != self.labels[made.origin.faces]])[:50]:
-            parts = made.origin.faces == face  # the new label is that of the larger share
+            parts = made.origin.faces == face  # the new label is that of the larger part
             shares = {label: areas[parts & (exact == label)].sum() for label in set(exact[parts])}
             self.assertGreaterEqual(shares[found.labels[face]] * (1 + 1e-9), max(shares.values()))
         for number, chain in enumerate(made.chains):
@@ -144,7 +144,8 @@ class Repair(unittest.TestCase):
         self.assertEqual(len(np.unique(fixed.mesh.faces)), len(whole))
         self.assertEqual(len(fixed.mesh.vertices), len(vertices))  # numbers are kept
         np.testing.assert_allclose(fixed.mesh.vertices[fixed.became], vertices)
-        np.testing.assert_array_equal(fixed.became_face, [*range(len(faces) - 1), 0])  # it repeats 0
+        np.testing.assert_array_equal(fixed.became_face, [*range(len(faces) - 1), 0])  # the last face repeats
+                                                                                       # face 0
         np.testing.assert_array_equal(fixed.mesh.face_attributes["number"], np.arange(len(faces) - 1))
         np.testing.assert_array_equal(fixed.mesh.origin.faces, fixed.mesh.face_attributes["number"])
         np.testing.assert_allclose(fixed.mesh.corner_attributes["uv"],
@@ -168,7 +169,7 @@ class Repair(unittest.TestCase):
             talweg.repair((vertices, faces), False)
 
     def test_mesh_that_is_repaired(self):
-        """Results have the numbers that came in, in every plugin."""
+        """Results have the indices of the given mesh, in every plugin."""
         vertices, faces = broken()
         with self.assertRaises(talweg.BadMesh):
             talweg.Mesh(vertices, faces)
@@ -202,7 +203,7 @@ class Repair(unittest.TestCase):
             talweg.Mesh(vertices, faces, repair="weld=0")
 
     def test_repair_welds_within_a_tolerance(self):
-        gap = 1e-6  # two plates of 10 x 10; vertices 1 and 2 lie at 4 and 7 but for the gap
+        gap = 1e-6  # two plates of 10 x 10; vertices 1 and 2 lie at 4 and 7, except for a gap
         vertices = np.array([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0], [10 + gap, 0, 0],
                              [20, 0, 0], [20, 10, 0], [10, 10 - gap, 0]])
         faces = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]]
@@ -211,7 +212,8 @@ class Repair(unittest.TestCase):
         self.assertEqual(told["weld"]["steps"], "weld=1e-06")
         fixed = talweg.repair((vertices, faces), "weld=1e-6")
         self.assertEqual(fixed.became.tolist(), [0, 1, 2, 3, 1, 5, 6, 2])
-        talweg.Mesh(vertices, faces, repair=told["weld"]["steps"]).draw([0, 6])  # they are one part
+        talweg.Mesh(vertices, faces, repair=told["weld"]["steps"]).draw([0, 6])  # the welded plates are one
+                                                                                 # part
 
 
 def info(folder, name):

@@ -1,4 +1,4 @@
-"""Plugins of others: a decimation written with OpenMesh (docs/examples) runs as it is."""
+"""Plugins by others: runs a decimation written with OpenMesh (docs/examples)."""
 
 import os
 import unittest
@@ -37,7 +37,7 @@ class Decimate(unittest.TestCase):
         for face in self.curve.faces:
             corners = tuple(self.vertices[v].tobytes() for v in self.faces[face])
             self.assertIn(corners, rotated)
-        talweg.Mesh(made.vertices, made.faces)  # it is a surface
+        talweg.Mesh(made.vertices, made.faces)  # the result is a surface
 
     def test_chains_of_edges_and_attributes_stay(self):
         row = talweg.Mesh(self.vertices, self.faces).draw(support.staircase()[[0, -1]], straight=False).vertices

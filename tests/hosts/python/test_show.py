@@ -1,4 +1,4 @@
-"""Pictures and windows: what they show, and what cannot be shown."""
+"""Pictures and windows, and errors for input that cannot be shown."""
 
 import io
 import os
@@ -226,7 +226,7 @@ talweg.show((vertices, faces), talweg.draw((vertices, faces), [305, 1820, 3055])
 
 
 class Windows(unittest.TestCase):
-    """PyVista and vedo, where there is a display, or Xvfb to make one."""
+    """PyVista and vedo, with a display, or with Xvfb."""
 
     def run_with_display(self, engine, folder, **environment):
         display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
@@ -259,7 +259,7 @@ class Windows(unittest.TestCase):
         self.check("pyvista", "pip install pyvista")
 
     def test_without_a_display(self):
-        """VTK would end the program."""
+        """Without a display VTK would end the program."""
         engine = next((name for name in ("vedo", "pyvista") if _windows.there(name)), None)
         if engine is None:
             self.skipTest("no vedo (Debian: python3-vedo)")

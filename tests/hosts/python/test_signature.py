@@ -1,4 +1,4 @@
-"""Functions take a mesh first; and what the package shows of itself."""
+"""Functions take a mesh first; and the package's public names."""
 
 import inspect
 import subprocess
@@ -13,7 +13,7 @@ import support
 import talweg
 
 
-class AnObject:  # as trimesh has them
+class AnObject:  # an object such as trimesh's meshes
     def __init__(self, vertices, faces):
         self.vertices, self.faces = vertices, faces
 
@@ -24,7 +24,7 @@ class Signature(unittest.TestCase):
         cls.vertices, cls.faces = support.hills()
         cls.mesh = talweg.Mesh(cls.vertices, cls.faces)
         cls.drawn = support.staircase()
-        cls.calls = {  # name -> (its first argument after the mesh, further ones, numbers of the result)
+        cls.calls = {  # name -> (first argument after the mesh, further arguments, numbers of the result)
             "smooth": (cls.drawn, {"tau": 2}, lambda result: result.curve.positions),
             "draw": (cls.drawn[::20], {"exact": False}, lambda curve: curve.vertices),
             "geodesic": (cls.drawn, {}, lambda result: result.curve.positions),
@@ -74,7 +74,7 @@ class Signature(unittest.TestCase):
             self.assertEqual(next(iter(inspect.signature(getattr(talweg, name)).parameters)), "mesh")
 
     def test_dir_shows_what_is_ours(self):
-        shown = subprocess.run(  # nothing was imported before
+        shown = subprocess.run(  # in a new process without imports
             [sys.executable, "-c", "import talweg; print(*(n for n in dir(talweg) if n[0] != '_'))"],
             check=True, capture_output=True, text=True).stdout.split()
         self.assertEqual(set(shown), set(talweg.__all__) - {"__version__"})

@@ -1,4 +1,4 @@
-"""Threads: workspaces side by side give what they give one by one, and C runs without Python's lock."""
+"""Threads: parallel workspaces give the sequential results, and C code runs without Python's lock."""
 
 import gc
 import threading
@@ -42,7 +42,7 @@ class Threads(unittest.TestCase):
         opened = threading.Event()
 
         def open_mesh():
-            talweg.Mesh(vertices, faces)  # calls nothing of Python's in between
+            talweg.Mesh(vertices, faces)  # a call that runs no Python code
             opened.set()
 
         thread = threading.Thread(target=open_mesh)
@@ -51,7 +51,7 @@ class Threads(unittest.TestCase):
         while not opened.wait(0.0005):
             rounds += 1
         thread.join()
-        self.assertGreater(rounds, 5)  # with Python's lock held it would be one or two
+        self.assertGreater(rounds, 5)  # with Python's lock held there would be one or two
 
     def test_a_second_call_meanwhile_is_refused(self):
         work = talweg.Mesh(*support.hills()).workspace(support.staircase(), tau=0.0)

@@ -11,7 +11,7 @@ import support
 
 PACKAGE = support.SOURCE / "plugins/hosts/python"
 
-# Wrong lines say what mypy must find there.
+# Wrong lines end in the error that mypy must report.
 PROGRAM = '''\
 from typing import List, Optional
 import numpy as np
@@ -50,7 +50,7 @@ class Types(unittest.TestCase):
             raise unittest.SkipTest("no mypy (Debian: mypy)")
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        cls.folder = folder.name  # with mypy's cache: numpy's types are read once
+        cls.folder = folder.name  # keeps mypy's cache, so that numpy's types are read once
 
     def test_package(self):
         self.assertTrue((PACKAGE / "talweg/py.typed").is_file())

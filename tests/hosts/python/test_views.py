@@ -1,4 +1,4 @@
-"""What pictures are made of: the nearest face of every pixel, what is hidden, and from where."""
+"""Parts of pictures: the nearest face of every pixel, hidden points, and the direction of the view."""
 
 import unittest
 from unittest import mock
@@ -52,7 +52,7 @@ class Raster(unittest.TestCase):
                                       np.isneginf(expected))
 
     def test_nothing_is_open_between_neighbours(self):
-        """Also where edges go through the centres of pixels."""
+        """There is no gap even if edges pass through centres of pixels."""
         for angle in (0, np.pi / 4, 0.3):
             vertices, faces = support.hills(30)
             turned = vertices[:, :2] @ [[np.cos(angle), np.sin(angle)],
@@ -67,7 +67,7 @@ class Raster(unittest.TestCase):
             self.assertTrue((buffer.faces.reshape(40, 40)[inside] != _raster.NOTHING).all())
 
     def test_chunks(self):
-        """The same whatever is done at once."""
+        """The result does not depend on the size of chunks."""
         vertices, faces = sphere()
         points = frontal(vertices).project(vertices)
         whole = _raster.Buffer(200, 200)
@@ -91,7 +91,7 @@ class Hidden(unittest.TestCase):
             camera = frontal(scale * vertices)
             surface = _shading.Surface(scale * vertices, faces, camera)
             hidden = surface.hides(camera.project(scale * vertices))
-            clear = np.abs(vertices[:, 2]) > 0.2  # not beside the outline
+            clear = np.abs(vertices[:, 2]) > 0.2  # away from the outline
             np.testing.assert_array_equal(hidden[clear], vertices[clear, 2] < 0)
 
     def test_pictures_do_not_depend_on_the_unit(self):
@@ -119,7 +119,7 @@ class Views(unittest.TestCase):
             np.testing.assert_array_equal(direction, again)
 
     def test_what_is_in_the_way_is_looked_past(self):
-        """A curve on the inside of a bowl is seen through its opening."""
+        """A curve on the inside of a bowl is seen through the opening."""
         vertices, faces = sphere()
         bowl = faces[(vertices[faces, 0] < 0.2).all(axis=1)][:, ::-1]  # faces inwards, open towards x
         line = np.flatnonzero((vertices[:, 0] < -0.6) & (np.abs(vertices[:, 2]) < 0.01))

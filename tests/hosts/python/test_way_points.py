@@ -1,4 +1,4 @@
-"""Way-points: what draw() and curves say of their points, and what smooth() makes of it."""
+"""Way-points: marks by draw() and of curves, and their effect on smooth()."""
 
 import json
 import tempfile
@@ -60,13 +60,13 @@ class WayPoints(unittest.TestCase):
         through = [13 * 31 + 3, 16 * 31 + 15, 13 * 31 + 27]
         moved = talweg.draw((vertices, faces), through, ridges=1)
         inner = moved.positions[(moved.positions[:, 0] > 5) & (moved.positions[:, 0] < 25)]
-        np.testing.assert_array_equal(inner[:, 1], 15)  # docs/ridges.md: ends may lie beside it
+        np.testing.assert_array_equal(inner[:, 1], 15)  # docs/ridges.md: ends may lie beside the ridge
         self.assertEqual((moved.exact == 0).sum(), 3)
         result = talweg.smooth((vertices, faces), talweg.draw((vertices, faces), through, exact=False),
                                ridges=1, ridge_kind="convex")
         self.assertGreater(result.total.ridge_moved, 0.75)
         along = result.curve.positions[result.curve.positions[:, 0] < 22]
-        np.testing.assert_allclose(along[:, 1], 15, atol=0.2)  # ends may lie beside it
+        np.testing.assert_allclose(along[:, 1], 15, atol=0.2)  # ends may lie beside the ridge
         with self.assertRaises(talweg.BadUsage):
             talweg.draw((vertices, faces), through, ridges=2)
 
@@ -112,7 +112,7 @@ class WayPoints(unittest.TestCase):
         with self.assertRaisesRegex(talweg.BadUsage, "given, exact, rough"):
             self.smooth(self.drawn, points="sharp")
         with self.assertRaises(talweg.Error):
-            self.smooth(self.drawn, exact=[7])  # not on the curve
+            self.smooth(self.drawn, exact=[7])  # 7 is no vertex of the curve
 
     def test_files_and_the_driver(self):
         support.write_obj(self.folder / "mesh.obj", *support.hills())

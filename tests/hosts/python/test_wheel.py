@@ -1,4 +1,5 @@
-"""The wheel: for this kind of machine, whole, and found without a variable; and a bare checkout."""
+"""The wheel: for this kind of machine, complete, and usable without environment variables; and a checkout
+without a build."""
 
 import os
 import shutil
@@ -26,7 +27,7 @@ print(talweg.plugin("talweg.smooth").path)
 
 
 def python(*arguments, cwd, **environment):
-    """Runs Python without our variables but those given."""
+    """Runs Python without Talweg's environment variables, except the given ones."""
     clean = {key: value for key, value in os.environ.items()
              if key not in ("PYTHONPATH", "TALWEG_PLUGIN_PATH")}
     return subprocess.run([sys.executable, *map(str, arguments)], cwd=cwd, text=True, check=False,
@@ -64,7 +65,7 @@ class Wheel(unittest.TestCase):
         self.assertRegex(wheels[0].name, r"^talweg-[0-9.]+-py3-none-linux_\w+\.whl$")
         target = self.folder / "target"
         with zipfile.ZipFile(wheels[0]) as archive:
-            archive.extractall(target)  # all that an installer does with this kind
+            archive.extractall(target)  # an installer does no more for this kind of wheel
             names = archive.namelist()
         self.assertIn("talweg/py.typed", names)
         self.assertEqual([n for n in names if ".data/" in n], [])
@@ -81,7 +82,7 @@ class Wheel(unittest.TestCase):
         self.assertEqual(list(self.folder.glob("*.whl")), [])
 
     def test_near_the_root_of_the_file_system(self):
-        # As after pip install --target /opt/there.
+        # The files as after pip install --target.
         shutil.copytree(PACKAGE / "talweg", self.folder / "talweg")
         shutil.copytree(PLUGINS, self.folder / "talweg/plugins")
         self.finds(self.folder, self.folder / "talweg/plugins")

@@ -1,6 +1,6 @@
-/* host FOLDER...: runs every plugin of these folders as a host of the interface 1.0 does, with default
- * values, on a small mesh and a curve, and prints what comes. Built with the header of 1.0 that lies
- * here it must say the same as with today's. */
+/* host FOLDER...: runs every plugin of these folders as a host of the interface 1.0, with default
+ * values, on a small mesh and a curve, and prints the results. Built with the header of 1.0 in this
+ * folder, it must print the same as with the present header. */
 #include <dirent.h>
 #include <dlfcn.h>
 #include <stdio.h>

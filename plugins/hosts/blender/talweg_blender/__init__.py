@@ -1,8 +1,8 @@
-"""Talweg in Blender: smooths curves on meshes while they stay close to what was drawn.
+"""Talweg in Blender: smooths curves on meshes and keeps them close to the drawing.
 
-Edit mode: select edges, Edge > Smooth Curve on Surface. Object mode: draw with the annotation tool
-on the surface, Object > Smooth Annotations. These, cutting, borders of materials and
-vertex groups, and repair are in the sidebar, tab Talweg.
+Edit mode: select edges, Edge > Smooth Curve on Surface. Object mode: draw with the annotation tool on the
+surface, Object > Smooth Annotations. The sidebar, tab Talweg, has both commands, and cutting, borders of
+materials and vertex groups, and repair.
 """
 
 bl_info = {
@@ -15,11 +15,11 @@ bl_info = {
     "category": "Mesh",
 }
 
-from . import again, marks, offsetting, operators, operators_of_meshes, page, panel, session  # noqa: E402
-from . import settings, told  # noqa: E402
+from . import last_report, marks, offsetting, operators, operators_of_meshes, page, panel  # noqa: E402
+from . import resmoothing, session, settings  # noqa: E402
 from .drawing_tool import tool  # noqa: E402
 
-_PARTS = (session, told, settings, page, operators, operators_of_meshes, offsetting, again, tool,
+_PARTS = (session, last_report, settings, page, operators, operators_of_meshes, offsetting, resmoothing, tool,
           marks, panel)
 
 

@@ -1,11 +1,11 @@
-"""All that a Blender mesh has besides its surface: read before a change, and written back after it."""
+"""All data of a Blender mesh besides its surface: read before a change, and written to the changed mesh."""
 
 import numpy as np
 
 from . import layers
 from .package import talweg
 
-#: Of attributes: the member with the values, how many, and their type.
+#: For each type of a generic attribute: the member with the values, their number, and their numpy type.
 _KINDS = {"FLOAT": ("value", 1, np.float32), "INT": ("value", 1, np.int32),
           "INT8": ("value", 1, np.int32), "BOOLEAN": ("value", 1, bool),
           "FLOAT_VECTOR": ("vector", 3, np.float32), "FLOAT2": ("vector", 2, np.float32),
@@ -13,11 +13,11 @@ _KINDS = {"FLOAT": ("value", 1, np.float32), "INT": ("value", 1, np.int32),
 _EDGE_FLAGS = {"use_seam": bool, "use_edge_sharp": bool, "use_freestyle_mark": bool,
                "crease": np.float32, "bevel_weight": np.float32}
 _FACE_FLAGS = {"material_index": np.int32, "use_smooth": bool, "use_freestyle_mark": bool}
-_FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # have places of theirs
+_FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # handled apart
 
 
 def read(items, member, columns=1, dtype=np.float32):
-    """A member of all items, (n,) or (n, columns)."""
+    """A member of all items: (n,), or (n, columns) if columns > 1."""
     values = np.empty((len(items), columns) if columns > 1 else len(items), dtype)
     items.foreach_get(member, values.ravel())
     return values
@@ -28,24 +28,25 @@ def write(items, member, values):
 
 
 class Attributes:
-    """What a mesh has at vertices, edges, polygons and their corners.
+    """Data of a mesh at vertices, edges, polygons and their corners.
 
-    Vertices and corners are carried by talweg as attributes of a talweg.Mesh; edges and polygons
-    keep what they were a part of. What is 0 everywhere is not handed over.
+    Talweg interpolates the data of vertices and corners, as attributes of a talweg.Mesh. New edges and
+    polygons copy the data of the old element that they are a part of. Data that are 0 everywhere are left
+    out.
     """
 
     def __init__(self, obj, arrays):
         mesh = obj.data
         self.at_corners, self.at_edges, self.at_faces = {}, {}, {}
         self.at_vertices = layers.read(mesh)
-        self.made = []  # name, domain, type of generic attributes, in their order
-        self.lost = []  # in words
+        self.made = []  # (name, domain, type) of each generic attribute, in their order
+        self.lost = []  # names of data that cannot be kept, for the user
         self.active_colour = mesh.color_attributes.active_color_index
         self._read_generic(mesh)
         self._read_edges(mesh)
         for name, dtype in _FACE_FLAGS.items():
             self.at_faces["flag:" + name] = read(mesh.polygons, name, 1, dtype)
-        for face_map in mesh.face_maps:  # -1 is none, as 0 is of what comes from nowhere
+        for face_map in mesh.face_maps:  # stored plus 1, so that 0 is "none"
             self.at_faces["face_map"] = read(face_map.data, "value", 1, np.int32) + 1
         if mesh.has_bevel_weight_vertex:
             self.at_vertices["bevel_weight"] = read(mesh.vertices, "bevel_weight")
@@ -100,17 +101,17 @@ class Attributes:
         return weights
 
     def mesh(self, arrays, **how):
-        """A talweg.Mesh with what talweg carries."""
+        """A talweg.Mesh with the attributes of vertices and corners."""
         return talweg.Mesh(arrays.vertices, arrays.triangles, vertex_attributes=self.at_vertices,
                            corner_attributes=self.of_corners, **how)
 
     def write(self, obj, made, layout, vertices, edge_from):
-        """On the new geometry.
+        """Writes the data to the new geometry of the object.
 
         :param made: the talweg.MadeMesh.
         :param layout: its polygons (polygons.Layout).
-        :param vertices: the vertices of ``made`` that are there.
-        :param edge_from: for each new edge the old one that it is a part of, or -1.
+        :param vertices: (k,), the vertices of ``made`` that the object has.
+        :param edge_from: (edges,), the old edge that each new edge is a part of, or -1.
         """
         mesh = obj.data
         layers.make(mesh, self.at_vertices)
@@ -154,7 +155,7 @@ class Attributes:
                 mesh.uv_layers.active = layer
 
     def write_groups(self, obj, weights):
-        """Vertices with the weight 0 are in no group."""
+        """Writes the vertex groups. A vertex with the weight 0 is not made a member."""
         for number, name in enumerate(self.groups):
             group = obj.vertex_groups.get(name) or obj.vertex_groups.new(name=name)
             members = np.flatnonzero(weights[:, number] > 0)
@@ -166,7 +167,7 @@ class Attributes:
 
 
 def _picked(attributes, source):
-    """Those of the elements that the new ones come from; 0 where they come from none."""
+    """Rows of the attributes at the old elements ``source``; 0 where ``source`` is -1."""
     result = {}
     for name, values in attributes.items():
         none = np.zeros((1,) + values.shape[1:], values.dtype)

@@ -1,19 +1,23 @@
-"""Operators whose long work goes on beside Blender: the status bar tells how far it is, and Esc ends it."""
+"""Operators that run long work on a thread while Blender stays usable. The status bar shows the progress; Esc
+ends the work."""
 
 import bpy
 
-from . import jobs, session, told
+from . import jobs, last_report, session
 from .package import talweg
 
-#: Passed on while a job is at work, so that the view can be turned.
+#: Events that are passed on to Blender while a job runs, so that the view can be turned.
 _NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM")
 
 
 class Beside:
-    """A button begins a job; what comes soon is there at once. Scripts and the redo panel wait.
+    """Base of operators with long work.
 
-    Who inherits has ``steps(context, obj)``, steps of jobs that return a sentence and warnings, and
-    ``subject(context)``, the object with the mesh that they change.
+    A press of a button starts a job and waits a moment for it, so that a short job needs no modal phase.
+    Scripts and the redo panel wait for the end of the job.
+
+    A derived class has ``steps(context, obj)``, a generator as in jobs.py that returns a sentence and
+    warnings, and ``subject(context)``, the object whose mesh the steps change.
     """
 
     def execute(self, context):
@@ -48,13 +52,13 @@ class Beside:
         if self._job.is_done():
             return self._finish(context)
         line = f"{self.bl_label}: {self._job.told}   |   Esc: stop"
-        if line != self._told:  # each is drawn
+        if line != self._told:  # each text causes a redraw
             self._told = line
             context.workspace.status_text_set(line)
         return {"RUNNING_MODAL"}
 
     def cancel(self, context):
-        """Esc, or Blender ends."""
+        """Blender calls cancel() at its end; modal() calls it at Esc."""
         self._job.stop()
         self._clear(context)
 
@@ -66,7 +70,7 @@ class Beside:
 
     def _finish(self, context):
         self._clear(context)
-        if self._watched.has_changed:  # in another window, or by a script
+        if self._watched.has_changed:  # changed in another window, or by a script
             return self._refused("The mesh was changed meanwhile; try again.")
         return self._reported(self._name, lambda: jobs.after(self._steps, self._job.given))
 
@@ -79,7 +83,7 @@ class Beside:
             done, warnings = work()
         except (talweg.Error, KeyboardInterrupt) as error:
             return self._refused(error)
-        # One report: of several the status bar shows only the last.
+        # One report for all: of several reports the status bar shows only the last.
         self.report({"WARNING"} if warnings else {"INFO"}, " ".join([done, *warnings]))
-        told.note(name, done, warnings)
+        last_report.note(name, done, warnings)
         return {"FINISHED"}

@@ -1,7 +1,7 @@
-"""Curves coloured by a number along them: a second object over the first, a spline for each colour.
+"""Curves coloured by a number along them. A second object, with a spline for each colour, covers the plain
+curve.
 
-Curve objects of Blender 3.4 have a material for each spline and no other colours that are seen in
-every kind of shading.
+The only colour of a curve object that every shading of Blender 3.4 shows is the material of a spline.
 """
 
 from itertools import groupby
@@ -13,16 +13,17 @@ from .package import talweg
 
 _COUNT = 9
 _NAME = "Talweg colour"
-_WIDER = 1.7  # covers the plain curve, and shows its colours
+_WIDER = 1.7  # times the plain curve's width, so that the coloured curve covers it
 
 
 def wanted_fields(settings):
-    """What Surface.smooth() is asked for."""
+    """The fields that Surface.smooth() has to compute for the colours."""
     return {"point_fields": True} if settings.colours != "PLAIN" else {}
 
 
 def show(curve, settings, result, bevel, surface):
-    """Colours of the result beside its curve object, or none. The range is kept on it, for the panel."""
+    """Makes, replaces or removes the coloured object of a curve object. The panel reads the range of the
+    values from the property ``talweg_range`` of the curve object."""
     made = _existing(curve)
     if settings.colours == "PLAIN":
         if made is not None:
@@ -41,7 +42,7 @@ def show(curve, settings, result, bevel, surface):
 
 
 def remove(curve):
-    """The colours of a curve object."""
+    """Removes the coloured object of a curve object."""
     made = _existing(curve)
     if made is not None:
         data = made.data
@@ -55,7 +56,7 @@ def _existing(curve):
 
 
 def _values(curve, what, edge):
-    """Of each segment."""
+    """The number to be coloured, for each segment of the curve."""
     if what == "DEVIATION":
         at = np.asarray(curve.fields["deviation"])
         at = np.r_[at, at[:1]] if curve.closed else at
@@ -64,7 +65,8 @@ def _values(curve, what, edge):
 
 
 def _turning(curve, edge):
-    """In windows of two mean edges, radians per unit: a polyline turns only at its points."""
+    """Turning per unit of length, radians, in windows of two mean edges: a polyline turns only at its points,
+    so that turning has no value at a single place."""
     points = np.asarray(curve.positions)
     points = np.vstack([points, points[:1]]) if curve.closed else points
     at = np.r_[0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))]

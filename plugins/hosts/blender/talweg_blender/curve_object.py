@@ -8,12 +8,13 @@ import numpy as np
 from . import colours, settings
 
 _MATERIAL = "Talweg curve"
-#: Neither an annotation's blue nor the orange of what is selected.
+#: Unlike the blue of annotations and the orange of selected objects.
 _COLOUR = (0.9, 0.0, 0.4, 1.0)
 
 
 def radius(surface, thickness):
-    """Of the bevel: 1 can be seen whether the whole mesh is looked at or one of its faces."""
+    """Radius of the bevel. With thickness 1 the curve is visible in a view of the whole mesh and of one
+    face."""
     fitting = min(max(surface.edge / 5, surface.size / 450), surface.size / 150)
     return thickness * fitting
 
@@ -22,7 +23,7 @@ def _material():
     material = bpy.data.materials.get(_MATERIAL)
     if material is None or material.library is not None:
         material = bpy.data.materials.new(_MATERIAL)
-        material.diffuse_color = _COLOUR  # of the viewport
+        material.diffuse_color = _COLOUR  # the colour in the viewport
         material.roughness, material.specular_intensity = 1, 0
         material.use_nodes = True
         material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = _COLOUR
@@ -52,12 +53,12 @@ def _report_of(result):
 
 
 def report_of(curve):
-    """By the names of the report; empty where nothing is smoothed yet."""
+    """The report of the shown result, values by name; empty before the first result."""
     return json.loads(curve.get("talweg_report", "{}"))
 
 
 def of_drawing(context, obj, key):
-    """The object of the same drawing on this mesh, shown again; None if there is none."""
+    """The curve object of the drawing ``key`` on this mesh, made visible; None if there is none."""
     for one in obj.children:
         if (one.type == "CURVE" and one.get("talweg_drawing") == key and one.library is None
                 and one.data.library is None and one.name in context.view_layer.objects):
@@ -67,9 +68,9 @@ def of_drawing(context, obj, key):
 
 
 def new(context, obj, word="curve"):
-    """An empty one, a child of the mesh's object.
+    """An empty curve object, a child of the mesh's object.
 
-    :param word: follows the name of that object.
+    :param word: the end of the name, after the name of the mesh's object.
     """
     data = bpy.data.curves.new("Talweg", "CURVE")
     data.dimensions = "3D"
@@ -78,7 +79,7 @@ def new(context, obj, word="curve"):
     data.materials.append(_material())
     made = bpy.data.objects.new(f"{obj.name} {word}", data)
     _collection(context, obj).objects.link(made)
-    made.parent = obj  # and no matrix of its own: it follows whatever the mesh does, shear too
+    made.parent = obj  # its own matrix is the identity, so that it follows shear, too
     made.color = _COLOUR
     number(made)
     made.show_in_front = True
@@ -86,23 +87,23 @@ def new(context, obj, word="curve"):
 
 
 def number(curve):
-    """It is the last one of its mesh now."""
+    """Numbers the curve as the newest of its mesh."""
     curve["talweg_number"] = 1 + max(one.get("talweg_number", 0) for one in curve.parent.children)
 
 
 def _collection(context, obj):
-    """That of the mesh's object, unless it belongs to another file."""
+    """The collection of the mesh's object; the scene's if the former belongs to another file."""
     own = [one for one in obj.users_collection if one.library is None]
     return own[0] if own else context.scene.collection
 
 
 def write_lines(curve, surface, result):
-    """The curves of a result in an object that is no drawing."""
+    """Writes the curves of a result to an object that has no drawing."""
     _write(curve.data, result, radius(surface, 1))
 
 
 def write(curve, surface, result):
-    """The result in its object, as wide and coloured as its settings say."""
+    """Writes a result to its object, with the width and the colours of the object's settings."""
     kept = settings.of(curve)
     bevel = radius(surface, kept.thickness)
     _write(curve.data, result, bevel)
@@ -111,9 +112,9 @@ def write(curve, surface, result):
 
 
 def put(context, obj, place, drawing, result, operator, as_shown):
-    """The curve object of the result of a drawing: a new one, or the one that it had.
+    """Puts a result into the curve object of its drawing, which is made if it does not exist.
 
-    :param operator: has the values that the result was made with.
+    :param operator: has the values of the parameters.
     """
     made = of_drawing(context, obj, drawing.key) or new(context, obj)
     made["talweg_drawing"] = drawing.key

@@ -1,4 +1,5 @@
-"""Meshes cut, taken apart, labelled and repaired by Talweg, in objects."""
+"""Replaces the mesh of an object by the result of a cut, a separation, smoothed borders of labels, or a
+repair."""
 
 from contextlib import contextmanager
 
@@ -11,7 +12,7 @@ from .package import talweg
 
 @contextmanager
 def object_mode(obj):
-    """Meshes are replaced in object mode; what was edited is edited again after it."""
+    """A context in object mode, where meshes can be replaced. Edit mode is restored at the end."""
     mode = obj.mode
     if mode != "OBJECT":
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -23,11 +24,11 @@ def object_mode(obj):
 
 
 def _saved(obj, arrays):
-    """All that the mesh has besides its surface; raises talweg.Error if it must not be replaced."""
+    """All data of the mesh besides its surface; raises talweg.Error if the mesh must not be replaced."""
     objects.check(obj)
     if not len(arrays.triangles):
         raise talweg.BadMesh("The mesh has no faces.")
-    with object_mode(obj):  # in edit mode Blender shows no values of attributes
+    with object_mode(obj):  # Blender has no values of attributes in edit mode
         return attributes.Attributes(obj, arrays)
 
 
@@ -37,9 +38,10 @@ def _cutting(saved, arrays, curves, how):
 
 
 def cut(obj, arrays, curves, mark=None, **how):
-    """Curves become selected edges of the mesh. Steps of jobs; they return the talweg.Cut, and warnings.
+    """Cuts the curves into the mesh and selects their edges. Steps as in jobs.py; they return the talweg.Cut,
+    and warnings.
 
-    :param mark: "use_seam" or "use_edge_sharp": what these edges become besides.
+    :param mark: "use_seam" or "use_edge_sharp": a mark for the edges of the curves; None: no mark.
     """
     saved = _saved(obj, arrays)
     made = yield _cutting(saved, arrays, curves, how)
@@ -53,19 +55,20 @@ def cut(obj, arrays, curves, mark=None, **how):
 
 
 def of_report(made):
-    """Warnings on a cut, without how far curves were moved: the drawing has told it where it mattered."""
+    """Warnings of a cut. The distances that points of the curves were moved are left out: a warning of the
+    drawing has them where they are large."""
     return [one for one in made.report["warnings"] if "moved onto the mesh" not in one]
 
 
 def separate(obj, arrays, curves, **how):
-    """An object for each piece, in the place of this one, which becomes the first of them.
-    Steps of jobs; they return the objects, and warnings."""
+    """Makes an object of each piece. The first piece replaces the mesh of ``obj``. Steps as in jobs.py; they
+    return the objects, and warnings."""
     saved = _saved(obj, arrays)
     made = yield _cutting(saved, arrays, curves, {**how, "split": True})
     if not made.meshes:
         raise talweg.BadCurve("Nothing is left of the mesh on that side of the curves.")
     with object_mode(obj):
-        if objects.others_with_mesh(obj):  # theirs stays whole
+        if objects.others_with_mesh(obj):  # the other objects keep the whole mesh
             obj.data = obj.data.copy()
         pieces = [obj] + [_copy(obj) for _ in made.meshes[1:]]
         for one, piece in zip(pieces, made.meshes):
@@ -84,8 +87,8 @@ def _copy(obj):
 
 
 def smooth_materials(obj, arrays, **how):
-    """The borders between materials become smooth edges of the mesh. Steps of jobs; they return
-    the talweg.Labels, and warnings."""
+    """Smooths the borders between materials and cuts them into the mesh. Steps as in jobs.py; they return the
+    talweg.Labels, and warnings."""
     saved = _saved(obj, arrays)
     materials = saved.at_faces["flag:material_index"][arrays.polygons]
     found = yield lambda progress: saved.mesh(arrays, plugin="talweg.labels", progress=progress).labels(
@@ -99,9 +102,9 @@ def smooth_materials(obj, arrays, **how):
 
 
 def smooth_group(obj, arrays, threshold, **how):
-    """The border of the active vertex group becomes smooth edges of the mesh; vertices inside and on
-    it have the weight 1, and others are no members any more. Steps of jobs;
-    they return the talweg.Labels, and warnings."""
+    """Smooths the border of the active vertex group and cuts it into the mesh. Vertices inside and on the
+    border get the weight 1; all other vertices leave the group. Steps as in jobs.py; they return the
+    talweg.Labels, and warnings."""
     number = obj.vertex_groups.active_index
     if not 0 <= number < len(obj.vertex_groups):
         raise talweg.BadUsage("The object has no vertex group.")
@@ -119,7 +122,8 @@ def smooth_group(obj, arrays, threshold, **how):
 
 
 def repair(obj, arrays, steps):
-    """Makes a surface of the mesh. Steps of jobs; they return the talweg.Repair, and warnings."""
+    """Repairs the mesh, so that it becomes a surface. Steps as in jobs.py; they return the talweg.Repair, and
+    warnings."""
     saved = _saved(obj, arrays)
     fixed = yield lambda progress: saved.mesh(arrays, plugin="talweg.repair", progress=progress).repair(
         steps, progress=progress)

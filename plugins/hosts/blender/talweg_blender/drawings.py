@@ -1,4 +1,4 @@
-"""What the user has drawn: selected edges, or curve objects."""
+"""Drawings of the user: selected edges, or curve objects."""
 
 import hashlib
 from typing import List, NamedTuple
@@ -10,8 +10,8 @@ from .package import talweg
 
 class Drawing(NamedTuple):
     curves: List[talweg.Curve]
-    key: str  # the same for the same drawing
-    names: List[str] = []  # of each curve, where the user knows it by one
+    key: str  # equal for the same drawing
+    names: List[str] = []  # the user's name of each curve; empty: the curves have none
     warnings: List[str] = []
 
 
@@ -23,8 +23,8 @@ def key_of(kind, *arrays):
 
 
 class MeshArrays:
-    """A Blender mesh as arrays: vertices (n, 3) float32 in the object's own space, triangles (m, 3),
-    the polygon of each triangle and the corners (loops) of it, and the polygons themselves."""
+    """A Blender mesh as arrays: vertices (n, 3) float32 in the object's space; triangles (m, 3); for each
+    triangle its polygon and its corners (loops); and the polygons."""
 
     def __init__(self, mesh):
         mesh.calc_loop_triangles()
@@ -49,10 +49,10 @@ class MeshArrays:
 
 
 def selected_edges(mesh):
-    """The Drawing of the selected edges: curves as long as they can be, to ends and junctions, then
-    loops. Edges without faces are left out, with a warning.
+    """The Drawing of the selected edges: first curves between ends and junctions, then loops. Edges without
+    faces are left out, with a warning.
 
-    :raises talweg.BadCurve: if there are none.
+    :raises talweg.BadCurve: if no edge with a face is selected.
     """
     chosen = np.empty(len(mesh.edges), bool)
     mesh.edges.foreach_get("select", chosen)
@@ -74,7 +74,7 @@ def selected_edges(mesh):
 
 
 def _with_faces(mesh):
-    """(number of edges,)"""
+    """Whether each edge has a face, (number of edges,)."""
     of_loops = np.empty(len(mesh.loops), np.int32)
     mesh.loops.foreach_get("edge_index", of_loops)
     found = np.zeros(len(mesh.edges), bool)
@@ -83,8 +83,8 @@ def _with_faces(mesh):
 
 
 def chains(edges):
-    """Pairs of vertices as (list of vertices, closed): open from end or junction to end or
-    junction, then closed loops; in the order of the lowest vertex that each begins with."""
+    """Joins edges, pairs of vertices, into chains (list of vertices, closed): first the open ones between
+    ends and junctions, then loops. Chains are ordered by the lowest vertex at their beginning."""
     around = {}
     for a, b in edges.tolist():
         around.setdefault(a, []).append(b)
@@ -106,7 +106,7 @@ def chains(edges):
         closed = chain[-1] == start
         found.append((chain[:-1] if closed else chain, closed))
 
-    for wanted in (False, True):  # first from ends and junctions, then what is left: loops
+    for wanted in (False, True):  # first from ends and junctions; the remaining edges form loops
         for start in sorted(around):
             for second in around[start]:
                 if (start, second) in left and (wanted or len(around[start]) != 2):
@@ -115,8 +115,8 @@ def chains(edges):
 
 
 def curve_objects(context, obj, surface, known):
-    """The Drawing of the splines of all selected curve objects in the object's own space; those that
-    show a known curve on the mesh are exactly that one.
+    """The Drawing of the splines of all selected curve objects, in the object's space. A spline that shows a
+    curve of ``known`` is replaced by that curve, which has double precision.
 
     :raises talweg.BadCurve: if no curve object is selected, or one has no points.
     """
@@ -137,7 +137,7 @@ def curve_objects(context, obj, surface, known):
 
 
 def _far(curve, name, surface):
-    """A warning, if there is something to say."""
+    """A warning if the curve lies far from the surface; else an empty list."""
     if curve.faces is not None or not np.isfinite(curve.positions).all():
         return []
     distance = surface.farthest(curve.positions)
@@ -154,7 +154,7 @@ def _spline(spline, move, name):
 
 
 def _exact(curve, known):
-    """The known curve that was rounded to this one, if there is one."""
+    """The known curve that is equal to this one up to rounding, or None."""
     for one in known:
         if one.closed == curve.closed and len(one) == len(curve) and \
                 np.allclose(one.positions, curve.positions, rtol=1e-6,

@@ -1,4 +1,4 @@
-"""Edges of a mesh that Talweg made: the old ones keep their order, and new ones come last."""
+"""Edges of a mesh that Talweg made: the old edges in their order, then the new ones."""
 
 from typing import NamedTuple
 
@@ -6,13 +6,13 @@ import numpy as np
 
 
 def keys(edges, count):
-    """A number for each pair of vertices, whatever its direction."""
+    """A number for each pair of vertices; the order within a pair does not matter."""
     ordered = np.sort(edges.astype(np.int64), axis=1)
     return ordered[:, 0] * count + ordered[:, 1]
 
 
 def found(wanted, among):
-    """The first place of each key among these, or -1."""
+    """For each wanted key the first index in ``among``, or -1."""
     if not len(among):
         return np.full(len(wanted), -1)
     order = np.argsort(among, kind="stable")
@@ -21,7 +21,7 @@ def found(wanted, among):
 
 
 def between(edges, vertices, count):
-    """The places of edges that have both ends among these vertices; rows of -1 have none."""
+    """Indices of the edges with both ends among ``vertices``; ends of -1 are none."""
     marked = np.zeros(count + 1, bool)
     marked[vertices] = True
     marked[-1] = False
@@ -30,14 +30,15 @@ def between(edges, vertices, count):
 
 class Edges(NamedTuple):
     ends: np.ndarray  # (k, 2), vertices of the made mesh
-    of_loops: np.ndarray  # the edge of each corner of the layout
-    came_from: np.ndarray  # (k,), the old edge that each is a part of, or -1
+    of_loops: np.ndarray  # the edge of each corner of the polygons
+    came_from: np.ndarray  # (k,), the old edge that each edge is a part of, or -1
 
 
 def edges_of(made, layout, saved, loose, became):
-    """Only what the curves touched is looked up; all else has the edges that it had.
+    """The edges of the made mesh. Only edges near the curves are searched; all others are copied from the old
+    mesh.
 
-    :param loose: old edges without faces, and their ends now: (places, (k, 2) vertices).
+    :param loose: old edges without faces: (their indices, their ends (k, 2) as vertices of the made mesh).
     """
     count = len(made.vertices)
     pairs = np.stack([layout.loop_vertices, layout.next_loop_vertices()], -1)
@@ -47,7 +48,7 @@ def edges_of(made, layout, saved, loose, became):
     ends = np.full((len(saved.edges), 2), -1, np.int64)
     ends[old[old >= 0]] = pairs[old >= 0]
     ends[first[loose[0]]] = loose[1]
-    # An edge along an opened seam is two now; the row has one of them.
+    # An opened seam makes two edges of an old one; the old row holds one of the two.
     known = (old >= 0) & (ends[old] == pairs).all(axis=1) if len(ends) else old >= 0
     others = np.flatnonzero(~known)
     near = between(ends, pairs[others].ravel(), count)
@@ -66,7 +67,7 @@ def edges_of(made, layout, saved, loose, became):
 
 
 def _first_ones(saved, became):
-    """For each old edge the first that is the same now, after a repair has welded vertices."""
+    """For each old edge the first that a repair made equal to it by welding vertices."""
     if became is None:
         return np.arange(len(saved.edges))
     _, first, number = np.unique(keys(became[saved.edges], len(became)), return_index=True,
@@ -75,7 +76,7 @@ def _first_ones(saved, became):
 
 
 def _part_of(ends, made, saved, became):
-    """The old edge that each is a part of, or -1."""
+    """The old edge that each edge is a part of, or -1."""
     if became is not None:
         now = became[saved.edges]
         near = between(now, ends.ravel(), len(made.vertices))

@@ -1,7 +1,7 @@
-"""Work of the library that may take long, on a thread of its own, so that Blender lives meanwhile.
+"""Long work of the library on a thread of its own, so that Blender stays usable.
 
-What needs it is written as a generator: it yields the work, a function of a progress callback, once, gets
-what the work gave, and returns.
+The caller is a generator ("steps"). It yields the work once, a function of a progress callback; is resumed
+with the result of the work; and returns its own result.
 """
 
 import threading
@@ -11,15 +11,16 @@ from .package import talweg
 
 
 def now(steps):
-    """What such a generator returns; the work is done here, and Blender waits."""
+    """Runs the steps with their work on this thread; returns the result of the generator."""
     work = next(steps)
     return after(steps, lambda: work(None))
 
 
 def after(steps, give):
-    """What it returns. An error of its work reaches it, too: it may know more of it.
+    """Resumes the generator with the result of the work; returns the generator's result. An error of the work
+    is thrown into the generator, which may add to its sentence.
 
-    :param give: gives what the work gave, or raises what ended it.
+    :param give: returns the result of the work, or raises its error.
     """
     try:
         try:
@@ -34,7 +35,7 @@ def after(steps, give):
 
 
 class Job:
-    """Such work; it begins at once. It must not touch Blender's data."""
+    """Work on a thread, which starts at once. The work must not touch Blender's data."""
 
     def __init__(self, work):
         self._at, self._began = "", time.monotonic()
@@ -48,7 +49,7 @@ class Job:
             self._given = self._work(self._progress)
         except talweg.Error as error:
             self._error = error
-        except Exception as error:  # a fault of ours must not leave Blender waiting
+        except Exception as error:  # an error of any kind must end the wait of Blender
             self._error = talweg.Internal(f"{type(error).__name__}: {error}")
 
     def _progress(self, stage, fraction):
@@ -57,20 +58,24 @@ class Job:
 
     @property
     def told(self):
-        """How far it is, and for how long it has been at work: some stages tell nothing meanwhile."""
+        """The progress and the seconds since the start, for the status bar: some stages report no
+        progress."""
         return f"{self._at}{time.monotonic() - self._began:.0f} s"
 
     def is_done(self, wait=0.0):
-        """:param wait: at most so many seconds for it."""
+        """Whether the work has ended.
+
+        :param wait: seconds to wait for the end.
+        """
         self._thread.join(wait)
         return not self._thread.is_alive()
 
     def given(self):
-        """What it gave; raises the talweg.Error that ended it."""
+        """The result of the work; raises the talweg.Error that ended it."""
         if self._error is not None:
             raise self._error
         return self._given
 
     def stop(self):
-        """It ends soon. Nobody waits for that: what it gives is dropped."""
+        """Asks the work to end. Its result is dropped, and nothing waits for it."""
         self._stopped = True

@@ -1,9 +1,9 @@
-"""Layers of vertices that Blender makes only by bmesh: shape keys, creases, masks, skin."""
+"""Layers of vertices that Blender makes only through bmesh: shape keys, creases, masks, skin."""
 
 import bmesh
 import numpy as np
 
-#: The collection of a mesh, the layer in bmesh, and members of its items.
+#: For each layer: the mesh's collection, the layer's name in bmesh, and the members of an item.
 _LAYERS = (("vertex_creases", "crease", (("value", 1, np.float32),)),
            ("vertex_paint_masks", "paint_mask", (("value", 1, np.float32),)),
            ("skin_vertices", "skin", (("radius", 2, np.float32), ("use_root", 1, bool),
@@ -17,8 +17,8 @@ def _values(items, member, columns, dtype):
 
 
 def read(mesh):
-    """Arrays by the names under which they are carried; keys are numbered, since what is called a
-    label would not be carried linearly."""
+    """The layers as arrays by name. Shape keys are named by numbers: the library interpolates an attribute
+    whose name has "label" like a label, and a user may have named a key so."""
     result = {}
     if mesh.shape_keys is not None:
         for number, key in enumerate(mesh.shape_keys.key_blocks):
@@ -31,8 +31,8 @@ def read(mesh):
 
 
 def make(mesh, names):
-    """On new vertices: room for what is carried under these names. Shape keys stay with the mesh,
-    with their values, drivers and animation; a way through bmesh gives them its vertices."""
+    """Makes the layers of these names on a mesh with new vertices. Shape keys stay with the mesh, with their
+    values, drivers and animation; a pass through bmesh gives them the new number of vertices."""
     wanted = [layer for collection, layer, _ in _LAYERS
               if any(name.startswith(collection + ":") for name in names)]
     if not wanted and mesh.shape_keys is None:
@@ -48,7 +48,10 @@ def make(mesh, names):
 
 
 def write(mesh, at_vertices, from_nowhere):
-    """:param from_nowhere: vertices inside lids; they have no other place in a shape key."""
+    """Writes the values of the layers.
+
+    :param from_nowhere: (n,), vertices inside lids; a shape key has them at their place in the mesh.
+    """
     if mesh.shape_keys is not None:
         places = _values(mesh.vertices, "co", 3, np.float32)
         for number, key in enumerate(mesh.shape_keys.key_blocks):

@@ -1,16 +1,17 @@
-"""Numbers and lengths as they are told."""
+"""Numbers and lengths as texts for the user."""
 
 import bpy
 
 
 def number(value, digits=3):
-    """As few people read 4.5e+02, larger numbers have all digits before the point."""
+    """A number with ``digits`` significant digits; larger numbers have all digits before the point, since
+    4.5e+02 is hard to read."""
     is_large = 10 ** digits <= abs(value) + 0.5 < 1e9
     return f"{value:.0f}" if is_large else f"{value:.{digits}g}"
 
 
 def told(context, value):
-    """In the units of the scene, if it has some."""
+    """A length in the units of the scene, or as a plain number if the scene has none."""
     units = context.scene.unit_settings
     if units.system == "NONE":
         return number(value)

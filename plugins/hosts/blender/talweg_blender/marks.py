@@ -1,4 +1,5 @@
-"""Rings in the view at the places by which a curve may be of no use: a click that is missed, a part cut off."""
+"""Rings in the view around the places of decisive warnings, such as a missed way-point or a part that was cut
+off."""
 
 import bpy
 import gpu
@@ -14,13 +15,13 @@ _TURN = np.linspace(0, 2 * np.pi, 33)
 
 
 def places(curve):
-    """(n, 3), in the space of the curve object; none for a curve that is as it was meant."""
+    """(n, 3), the places of the decisive warnings in the space of the curve object."""
     found = np.array(curve_object.report_of(curve).get("decisive_at", ()), float).reshape(-1, 3)
     return found[np.isfinite(found).all(axis=1)]
 
 
 def rings(curves, matrix, width, height):
-    """A ring of pixels around each place that is before the eye.
+    """A ring of pixels around each place in front of the eye.
 
     :param matrix: (4, 4), from the world to clip coordinates.
     """

@@ -1,4 +1,4 @@
-"""Errors of curves with the names that the user knows them by."""
+"""Errors that name a curve as the user knows it."""
 
 import re
 from contextlib import contextmanager
@@ -8,7 +8,7 @@ from .package import talweg
 
 @contextmanager
 def named(names):
-    """Errors inside begin with the name of the curve, where it is known.
+    """A context whose errors begin with the name of the curve that they are about, if it has a name.
 
     :param names: of each curve; empty: they have none.
     """

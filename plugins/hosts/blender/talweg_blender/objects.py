@@ -1,4 +1,4 @@
-"""Which objects may be changed, and who else has their mesh."""
+"""Which objects may be changed, and which others share their mesh."""
 
 import bpy
 
@@ -6,7 +6,10 @@ from .package import talweg
 
 
 def check(obj):
-    """:raises talweg.Unsupported: if the mesh of the object must not or cannot be replaced."""
+    """Refuses a mesh that must not be replaced.
+
+    :raises talweg.Unsupported: if the mesh of the object cannot be replaced.
+    """
     mesh = obj.data
     if mesh.library is not None:
         raise talweg.Unsupported(f"The mesh {mesh.name} is linked from a library and cannot be changed; "
@@ -24,9 +27,9 @@ def others_with_mesh(obj):
 
 
 def warnings(obj, lost):
-    """What somebody who changed the mesh of this object should know.
+    """Warnings about a change of the mesh of this object.
 
-    :param lost: names of what could not be carried over.
+    :param lost: names of the data that the changed mesh does not have.
     """
     others = others_with_mesh(obj)
     verb = "shows" if len(others) == 1 else "show"

@@ -1,4 +1,4 @@
-"""A mesh that is refused but can be repaired: what is offered, and where it can be read."""
+"""The offer to repair a refused mesh, and the places that show it."""
 
 import bpy
 
@@ -7,13 +7,13 @@ from .package import talweg
 
 
 class _Last:
-    object = ""  # its name; empty: nothing is offered
+    object = ""  # the object's name; empty: there is no offer
     sentence = ""
     operator = ""
 
 
 def forget(obj=None):
-    """What is offered for this object, or at all."""
+    """Removes the offer for this object; without an object, any offer."""
     if obj is None or obj.name == _Last.object:
         _Last.object = ""
 
@@ -23,13 +23,14 @@ def is_for(obj):
 
 
 def _steps(place):
-    """Of a repair that makes a surface of it, in words; empty: there is none."""
+    """The steps of a repair that makes the mesh a surface, in words; empty if there is none."""
     told = talweg.inspect((place.arrays.vertices, place.arrays.triangles))
     return told["repair_steps"].replace(",", ", ") if told["verdict"] == "repairable" else ""
 
 
 def note(obj, place, error, operator):
-    """The sentence with what can be done; the same as it is where that is nothing."""
+    """Keeps an offer to repair the mesh, if a repair would help. Returns the error's sentence, with the offer
+    if there is one."""
     steps = _steps(place)
     if not steps:
         return str(error)
@@ -40,10 +41,10 @@ def note(obj, place, error, operator):
 
 
 def draw(layout, obj, width=None):
-    """In a panel or at the pointer, if there is something to offer for the object."""
+    """Draws the offer for the object in a panel or at the mouse pointer."""
     if not is_for(obj):
         return
-    box = layout.box() if width is None else layout  # a menu would indent it
+    box = layout.box() if width is None else layout  # a box in a menu would be indented
     box.operator_context = "INVOKE_DEFAULT"
     wrapped.draw(box, [_Last.sentence], width)
     if _Last.operator:
@@ -52,6 +53,6 @@ def draw(layout, obj, width=None):
 
 
 def popup(context, obj):
-    """At the pointer."""
+    """Shows the offer in a menu at the mouse pointer."""
     if not bpy.app.background and is_for(obj):
         context.window_manager.popup_menu(lambda menu, _: draw(menu.layout, obj, 60), title="Talweg")

@@ -1,4 +1,4 @@
-"""Curves at a distance along the surface from selected curve objects, as a curve object."""
+"""Offset curves of selected curve objects at a distance along the surface, as a curve object."""
 
 import bpy
 
@@ -6,12 +6,12 @@ from . import beside, curve_object, drawings, lengths, operators_of_meshes, sess
 from .naming import named
 from .package import talweg
 
-#: Mean edges of the mesh, where no distance was chosen yet: a mesh may be of any size.
+#: The first distance, in mean edges of the mesh: a length in mesh units would not suit meshes of every size.
 _FIRST = 3
 
 
 def _line(context, result, distance, count, made):
-    """The sentence on a result."""
+    """The report of a result as a sentence."""
     many = f"{count} distances up to " if count > 1 else ""
     return (f"{operators_of_meshes.counted(len(result.curves), 'curve')} at {many}"
             f"{lengths.told(context, count * distance)} along the surface, length "
@@ -27,7 +27,7 @@ class TALWEG_OT_offset(beside.Beside, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        """On the active mesh, or on that of the active curve."""
+        """Whether the active object is a mesh, or a curve object on one."""
         obj = context.object
         return obj is not None and obj.mode == "OBJECT" and (obj.type == "MESH" or settings.is_kept(obj))
 

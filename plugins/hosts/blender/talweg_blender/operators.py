@@ -1,4 +1,5 @@
-"""Smooth selected edges, annotations, or other objects' lines on a mesh; with a redo panel."""
+"""Operators that smooth selected edges, annotations, or lines of other objects on a mesh, with a redo
+panel."""
 
 import re
 
@@ -11,16 +12,16 @@ from .package import talweg
 
 
 class _Smoothing:
-    """What the operators do with drawings."""
+    """The part of the operators that smooths a drawing and shows the result."""
 
     bl_options = {"REGISTER", "UNDO"}
     _is_invoked = False
 
     def smooth(self, context, objects, drawing_on, as_shown):
-        """Smooths drawing_on(object, surface) for each object and shows the results. What goes wrong
-        with one does not stop the others; if nothing goes well, it becomes an error report.
+        """Smooths drawing_on(object, surface) for each object and shows the results. An error on one object
+        does not stop the others; if all fail, the errors become an error report.
 
-        :param as_shown: on the mesh with its modifiers.
+        :param as_shown: use the mesh with its modifiers.
         """
         told, first, later, wrong = [], [], [], []
         for obj in objects:
@@ -40,7 +41,8 @@ class _Smoothing:
         return {"FINISHED"}
 
     def _refuse(self, context, wrong):
-        """At the pointer it is told with what can be done about it; to a script as an error."""
+        """Reports errors. A user gets them at the mouse pointer, with an offer to repair the mesh if there is
+        one; a script gets an error."""
         offered = self._is_invoked and offers.is_for(context.object)
         self.report({"WARNING" if offered else "ERROR"}, " ".join(wrong))
         if offered:
@@ -48,14 +50,15 @@ class _Smoothing:
         return {"CANCELLED"}
 
     def _smooth_one(self, context, obj, drawing_on, as_shown):
-        """What is told, warnings to be read first, and others; raises talweg.Error."""
+        """Returns the sentence of the result, the warnings of drawing and object, which are read first, and
+        the other warnings; raises talweg.Error."""
         outcomes.check(self.output, self.repair)
         place = session.surface_of(context, obj, as_shown)
         self.mean_edge = place.edge
         drawing = drawing_on(obj, place)
         try:
             drawing, result = self._result(context, place, drawing)
-            parameters.show_used(self, result.total)  # the curve object is to have them, too
+            parameters.show_used(self, result.total)  # before the curve object takes the values over
             with named(drawing.names):
                 made, warnings = outcomes.make(context, obj, place, drawing, result, self, as_shown)
         except talweg.BadMesh as error:
@@ -68,7 +71,8 @@ class _Smoothing:
                               if not _is_measured(one, drawing))])
 
     def _result(self, context, place, drawing):
-        """The drawing without strokes that the library refuses, and the result of the others."""
+        """Smooths the drawing. Strokes that the library refuses are left out, with warnings. Returns the
+        smoothed part of the drawing, and the result."""
         manager = context.window_manager
         while True:
             manager.progress_begin(0, 1)
@@ -86,12 +90,13 @@ class _Smoothing:
                 manager.progress_end()
 
     def _tell(self, told, warnings):
-        """One report: of several the status bar shows only the last. The panel keeps the warnings."""
+        """Reports the sentence and all warnings at once: of several reports the status bar shows only the
+        last. The redo panel keeps the warnings."""
         self.warned = "\n".join(warnings)
         self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
 
     def invoke(self, context, _event):
-        """As execute(); what is to be read before going on is shown where the pointer is."""
+        """Executes; warnings to be read first are also shown in a menu at the mouse pointer."""
         self._first_of_all, self._is_invoked = [], not bpy.app.background
         outcome = self.execute(context)
         lines = self._first_of_all
@@ -116,8 +121,8 @@ class _Smoothing:
 
 
 def _without(drawing, sentence):
-    """The drawing without the stroke that an error names, with a warning instead; None if it names none,
-    or the only one."""
+    """The drawing without the stroke that the error names, and a warning about it. None if the error names no
+    stroke, or the only one."""
     at = [k for k, name in enumerate(drawing.names) if sentence.startswith(name + ": ")]
     if not at or len(drawing.curves) < 2:
         return None
@@ -128,7 +133,7 @@ def _without(drawing, sentence):
 
 
 def _is_measured(warning, drawing):
-    """Whether the drawing itself has told, where it mattered, how far it was from the mesh."""
+    """Whether the library's warning repeats the drawing's own about the distance from the mesh."""
     return bool(drawing.names) and "moved onto the mesh" in warning
 
 
@@ -149,7 +154,7 @@ _STROKES = {
 
 
 def _edited(context):
-    """The meshes in edit mode, the active one first; those that share a mesh count once."""
+    """The objects in edit mode, the active one first. Objects that share a mesh count once."""
     found = [context.object, *(one for one in context.view_layer.objects
                                if one.mode == "EDIT" and one.type == "MESH" and one != context.object)]
     return list({one.data: one for one in reversed(found)}.values())[::-1]

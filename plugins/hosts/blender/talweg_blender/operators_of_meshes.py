@@ -1,4 +1,5 @@
-"""Cut along curve objects, separate, smooth borders of materials and vertex groups, repair."""
+"""Operators that cut along curve objects, separate, smooth borders of materials and vertex groups, and
+repair."""
 
 import bpy
 
@@ -6,18 +7,18 @@ from . import beside, cutting, drawings, offers, session
 from .naming import named
 from .package import talweg
 
-#: Points of curve objects are of single precision: so near an edge they are on it.
+#: Mean edges: a point so near to an edge is on the edge. Curve objects store points in single precision.
 _MERGE = 1e-5
 
 
-#: Shorter words where the plugin's do not fit into the panel.
+#: Shorter words for the plugin's labels that do not fit into the panel.
 _LABELS = {"ends": "Ends"}
 _CHOICES = {"fixed": "Stay", "free": "Move", "slide": "Slide", "auto": "Automatic",
             "left": "Left", "right": "Right"}
 
 
 def choice(plugin, name):
-    """The property of a plugin's choice."""
+    """A property for a parameter of a plugin that is a choice."""
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.EnumProperty(
         name=_LABELS.get(name, parameter.label), default=parameter.default,
@@ -27,19 +28,19 @@ def choice(plugin, name):
 
 
 def number(plugin, name, default, low, high, **more):
-    """The property of a plugin's number."""
+    """A property for a parameter of a plugin that is a number."""
     parameter = talweg.plugin(plugin).parameters[name]
     return bpy.props.FloatProperty(name=parameter.label, description=parameter.doc.rstrip("."),
                                    default=default, min=low, soft_max=high, precision=3, step=10, **more)
 
 
 def counted(count, word):
-    """The number with its noun."""
+    """The number with its noun, in the singular or plural."""
     return f"{count} {word}" + ("" if count == 1 else "s")
 
 
 class _OnMesh(beside.Beside):
-    """In object mode, on the active mesh."""
+    """Base of the operators on the active mesh in object mode."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -59,7 +60,8 @@ class _OnMesh(beside.Beside):
 
 
 def _drawing(context, obj):
-    """The drawing of curve objects, the arrays of the mesh, and what goes with it."""
+    """The Drawing of the selected curve objects, the arrays of the mesh, and the options of the cut. Points
+    that were rounded to single precision are merged with edges."""
     place = session.surface_of(context, obj, as_shown=False)
     drawing = drawings.curve_objects(context, obj, place, place.known_curves())
     exact = all(curve.faces is not None for curve in drawing.curves)
@@ -135,7 +137,7 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        """In edit mode, too, where meshes are refused."""
+        """The repair also works in edit mode, where the smoothing operators refuse unsound meshes."""
         return context.object is not None and context.object.mode in ("OBJECT", "EDIT") \
             and context.object.type == "MESH"
 

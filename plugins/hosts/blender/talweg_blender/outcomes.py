@@ -1,4 +1,5 @@
-"""What becomes of a smoothed drawing: a curve object, edges of the mesh, or objects of its pieces."""
+"""Puts a smoothed drawing into the scene: as a curve object, as edges of the mesh, or as objects of the
+pieces."""
 
 import bpy
 
@@ -16,14 +17,17 @@ OUTPUT = bpy.props.EnumProperty(name="Result", default="CURVE", items=ITEMS)
 
 
 def check(output, repair):
-    """:raises talweg.BadUsage: if a mesh that is no surface would have to be cut."""
+    """Refuses to cut a mesh by a curve on its repaired copy.
+
+    :raises talweg.BadUsage: if the output needs a cut of a mesh that is no surface.
+    """
     if repair and output != "CURVE":
         raise talweg.BadUsage("On a repaired copy only curve objects can be made; to cut the mesh, use "
                               "Repair for Talweg first.")
 
 
 def make(context, obj, place, drawing, result, operator, as_shown):
-    """Returns a sentence, and warnings."""
+    """Makes the output that the operator asks for. Returns a sentence, and warnings."""
     if operator.output == "CURVE":
         made = curve_object.put(context, obj, place, drawing, result, operator, as_shown)
         return f"Curve: {made.name}.", []
@@ -31,7 +35,8 @@ def make(context, obj, place, drawing, result, operator, as_shown):
 
 
 def of_mesh(context, obj, place, result, output):
-    """The same of all others, as steps of jobs; without modifiers the surface must be the mesh itself."""
+    """Makes an output that changes the mesh. Steps as in jobs.py; they return a sentence, and warnings. The
+    result must lie on the mesh without modifiers."""
     if output == "SEPARATE":
         pieces, warnings = yield from cutting.separate(obj, place.arrays, result.curves)
         return f"Objects: {', '.join(one.name for one in pieces)}.", warnings

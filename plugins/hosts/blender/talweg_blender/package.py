@@ -1,4 +1,4 @@
-"""The Python package: the one in this add-on's folder, else an installed one."""
+"""The Python package: the copy in the add-on's folder, else an installed one."""
 
 try:
     from . import talweg

@@ -1,4 +1,4 @@
-"""The add-on's page, which comes with it, in the browser."""
+"""Opens the add-on's page, which the zip contains, in the browser."""
 
 import html
 import re
@@ -14,7 +14,8 @@ _STYLE = ("body{font:16px/1.5 sans-serif;max-width:48em;margin:2em auto;padding:
 
 
 def as_html(text, folder):
-    """The Markdown that our pages use: headings, lists, tables, code, pictures, emphasis and links."""
+    """HTML of the Markdown that Talweg's pages use: headings, lists, tables, code, pictures, emphasis and
+    links."""
     text = re.sub(r"<!--.*?-->\n?", "", text, flags=re.S)
     parts = re.split(r"^```\w*\n(.*?)^```\n", text, flags=re.S | re.M)
     out = []
@@ -46,7 +47,7 @@ def _block(block):
 def _inline(text):
     text = html.escape(text.strip(), quote=False)
     text = re.sub(r"!\[([^\]]*)\]\(([^)]*)\)", r'<img src="\2" alt="\1">', text)
-    # Pages that do not come with the add-on are only named.
+    # Links to pages outside the zip become plain text.
     text = re.sub(r"\[([^\]]*)\]\(https?:([^)]*)\)", r'<a href="https:\2">\1</a>', text)
     text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
@@ -55,7 +56,7 @@ def _inline(text):
 
 
 def written():
-    """Where the page is now."""
+    """Writes the page as a temporary HTML file; returns its path."""
     text = (_FOLDER / "blender.md").read_text(encoding="utf-8")
     path = Path(bpy.app.tempdir or tempfile.gettempdir()) / "talweg.html"
     path.write_text(as_html(text, _FOLDER), encoding="utf-8")

@@ -1,8 +1,9 @@
-"""Where the operators are found: the sidebar, the Edge menu, the Object menu."""
+"""Entries for the operators in the sidebar, the Edge menu and the Object menu."""
 
 import bpy
 
-from . import again, offers, offsetting, operators, operators_of_meshes, page, session, settings, told
+from . import last_report, offers, offsetting, operators, operators_of_meshes, page, resmoothing, session
+from . import settings
 from .drawing_tool import tool
 
 EDGES = operators.TALWEG_OT_smooth_edges.bl_idname
@@ -11,7 +12,7 @@ OF_CURVES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[:2]]
 OF_MESHES = [operator.bl_idname for operator in operators_of_meshes.CLASSES[2:]]
 DRAW = tool.TALWEG_OT_draw.bl_idname
 OFFSET = offsetting.TALWEG_OT_offset.bl_idname
-INTO_MESH = again.TALWEG_OT_to_mesh.bl_idname
+INTO_MESH = resmoothing.TALWEG_OT_to_mesh.bl_idname
 
 
 class VIEW3D_PT_talweg(bpy.types.Panel):
@@ -28,7 +29,7 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
         offers.draw(self.layout, obj)
         told_of = obj if settings.is_kept(obj) else _last_curve(context)
         if told_of is not None:
-            again.draw_decisive(self.layout, told_of)
+            resmoothing.draw_decisive(self.layout, told_of)
         if settings.is_kept(obj):
             _of_curve(self.layout, obj)
         elif obj is None or obj.type != "MESH":
@@ -37,11 +38,12 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
             _of_edges(self.layout, obj)
         else:
             _of_mesh(self.layout, obj)
-        told.draw(self.layout, obj.parent if settings.is_kept(obj) else obj)
+        last_report.draw(self.layout, obj.parent if settings.is_kept(obj) else obj)
 
 
 class VIEW3D_PT_talweg_curve(bpy.types.Panel):
-    """The curve that was made last of the mesh that is edited: its values move without a step of undo."""
+    """In edit mode, the newest curve of the edited mesh. A change of its values makes no undo step of the
+    mesh."""
 
     bl_label = "Last Curve"
     bl_category = "Talweg"
@@ -54,8 +56,8 @@ class VIEW3D_PT_talweg_curve(bpy.types.Panel):
 
     def draw(self, context):
         curve = _last_curve(context)
-        self.layout.label(text=curve.name, icon=again.icon(curve))
-        again.draw(self.layout, curve)
+        self.layout.label(text=curve.name, icon=resmoothing.icon(curve))
+        resmoothing.draw(self.layout, curve)
 
 
 def _last_curve(context):
@@ -69,7 +71,7 @@ def _last_curve(context):
 def _of_curve(layout, curve):
     if curve.mode == "OBJECT":
         layout.operator(DRAW, text="Edit Curve", icon="GREASEPENCIL")
-    again.draw(layout, curve)
+    resmoothing.draw(layout, curve)
     if curve.mode == "OBJECT":
         layout.operator(OFFSET)
         layout.operator_menu_enum(INTO_MESH, "output")
@@ -82,7 +84,7 @@ def _of_edges(layout, obj):
 
 
 def _say_without(layout, obj, what):
-    """Where the mesh itself is worked on, though something else is shown."""
+    """A note that an operation works on the mesh without its modifiers or shape keys, if it has any."""
     if session.is_changed(obj):
         without = "without modifiers" if obj.modifiers else "without shape keys"
         layout.label(text=f"{what} {without}".strip().capitalize(), icon="ERROR")

@@ -1,4 +1,4 @@
-"""Properties of an operator from the plugin's own description of its parameters."""
+"""Properties of an operator, made from the plugin's description of its parameters."""
 
 import math
 
@@ -6,11 +6,12 @@ import bpy
 
 from .package import talweg
 
-#: In the order of the panel; of these the rest of the add-on knows nothing but the names.
+#: The parameters in the order of the panel. The rest of the add-on knows only their names.
 SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ends", "click_distance", "potential", "relax")
 
 
-#: Shorter words where the plugin's do not fit into the panel, or name a page that is not open here.
+#: Shorter words for labels of the plugin that do not fit into the panel or name a page that Blender does not
+#: show.
 _LABELS = {"relax": "Relaxation", "taus": "Taus", "slacks": "Slacks"}
 _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
             "paper": ("Paper", "The published one, of the approximate distance; has no slack"),
@@ -22,7 +23,7 @@ _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact dist
 _CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
                  "ends": "Which open curves become loops"}
 
-#: Lengths; beside the number they have a slider in mean edges, which fits meshes of every size.
+#: Parameters that are lengths. Each also has a slider in mean edges, which suits meshes of every size.
 _LENGTHS = ("slack", "max_deviation", "click_distance")
 
 
@@ -31,7 +32,7 @@ def described():
 
 
 def _start(parameter):
-    """The default, else what the field shows until there is something to show."""
+    """The default; without one, the number that the field shows before a result provides another."""
     if parameter.default is not None:
         return parameter.default
     return parameter.soft_minimum + (parameter.soft_maximum - parameter.soft_minimum) / 10
@@ -48,7 +49,7 @@ def _number(parameter, update):
         return bpy.props.IntProperty(name=_label(parameter), description=text, default=int(start),
                                      **{k: int(min(v, 2**31 - 1)) for k, v in limits.items()}, **update)
     if parameter.id in _LENGTHS:
-        limits["soft_max"] = 1e30  # the mesh may be of any size
+        limits["soft_max"] = 1e30  # no upper limit, since the mesh may have any size
         limits["unit"] = "LENGTH"
     return bpy.props.FloatProperty(name=_label(parameter), description=text, default=start,
                                    precision=3, step=10, **limits, **update)
@@ -59,7 +60,7 @@ def _label(parameter):
 
 
 def _in_mean_edges(parameter):
-    """The same length as a slider."""
+    """A second property for a length, in mean edges."""
     def get(operator):
         return getattr(operator, parameter.id) / (operator.mean_edge or 1)
 
@@ -72,14 +73,15 @@ def _in_mean_edges(parameter):
 
 
 def _text(parameter, update):
-    """One number for each curve is a text, since how many curves there are is not known before."""
+    """A property for a list of numbers, one for each curve: a text, since the number of curves is not known
+    in advance."""
     unit = f" ({parameter.unit})" if parameter.unit else ""
     text = parameter.doc.rstrip(".") + f"{unit}. Separated by spaces or commas, empty: none"
     return bpy.props.StringProperty(name=_label(parameter), description=text, default="", **update)
 
 
 def _numbers(parameter, text):
-    """None if there are none, else as many as were typed; raises talweg.BadUsage."""
+    """The numbers in the text; None if it is empty; raises talweg.BadUsage."""
     result = []
     for word in text.replace(",", " ").replace(";", " ").split():
         try:
@@ -90,9 +92,9 @@ def _numbers(parameter, text):
 
 
 def annotations(changed=None):
-    """Of a class of properties: each parameter's own, and use_NAME before an optional one.
+    """Annotations for a class of properties: one for each parameter, with use_NAME before an optional one.
 
-    :param changed: is called as the properties' update.
+    :param changed: the update function of the properties.
     """
     result, update = {}, {"update": changed} if changed else {}
     for parameter in described():
@@ -126,13 +128,17 @@ def _value(operator, parameter):
 
 
 def values(operator):
-    """Of an operator, or of kept settings: None for a parameter that is not to be used; raises talweg.BadUsage."""
+    """The values of an operator or of a curve object's settings by name; None for an optional parameter that
+    is not used.
+
+    :raises talweg.BadUsage: if a list of numbers cannot be read.
+    """
     return {p.id: _value(operator, p) for p in described()}
 
 
 def show_used(operator, report=None):
-    """Lengths that are not ticked show what was used or reached, to begin from, and a mean edge where that
-    is nothing; what was typed there stays."""
+    """Sets the lengths that are not in use to the values that the result used or reached, or to a mean edge
+    if those are 0 or infinite. Lengths that the user typed stay."""
     used = {"slack": report.slack, "max_deviation": report.farthest} if report else {}
     for id in _LENGTHS:
         value = used.get(id) or operator.mean_edge
@@ -144,7 +150,8 @@ def show_used(operator, report=None):
 
 
 def draw(layout, operator):
-    """The fields. A box for each optional parameter has its whole name, whatever the panel's width."""
+    """Draws the fields. An optional parameter has a row of its own for its check box, so that its whole name
+    fits."""
     for parameter in described():
         if not parameter.optional:
             layout.prop(operator, parameter.id)
@@ -161,7 +168,7 @@ def draw(layout, operator):
 
 
 def copy(source, target):
-    """All values of one class of properties to another."""
+    """Copies all values from one class of properties to another."""
     for name in annotations():
         if not name.endswith("_in_edges"):
             setattr(target, name, getattr(source, name))

@@ -1,4 +1,4 @@
-"""Polygons of a mesh that Talweg made of the triangles of one with polygons."""
+"""Joins the triangles of a mesh that Talweg made into polygons."""
 
 from typing import NamedTuple
 
@@ -8,10 +8,10 @@ from . import sound
 
 
 class Layout:
-    """Polygons with their corners: ``starts`` and ``totals`` (k,) as Blender has them;
-    ``loop_vertices`` and ``loop_from``, each corner's vertex and its corner of the triangles, counted
-    through them; ``old_loops``, the corner that it was, or -1; ``polygon_from``, the old polygon of
-    each, or -1; ``triangle_of``, a triangle of each."""
+    """Polygons with their corners: ``starts`` and ``totals`` (k,) as in Blender; ``loop_vertices`` and
+    ``loop_from``, for each corner its vertex and its corner of the triangles, 3 * triangle + 0, 1 or 2;
+    ``old_loops``, the old corner, or -1; ``polygon_from``, the old polygon of each, or -1; ``triangle_of``, a
+    triangle of each."""
 
     def __init__(self, whole, parts, faces):
         loops = [np.array(part.corners, np.int64) for part in parts]
@@ -33,7 +33,7 @@ class Layout:
 
 
 def chain_edges(made):
-    """Pairs of vertices along the curves, (k, 2); with both sides of opened seams."""
+    """Pairs of vertices along the curves, (k, 2); both sides of opened seams."""
     keys = [np.empty((0, 2), np.int64)]
     for chain in made.chains:
         at = [chain.vertices[chain.places == place] for place in range(chain.length)] \
@@ -45,10 +45,10 @@ def chain_edges(made):
 
 
 def layout_of(made, arrays, became=None):
-    """The old polygons where they are as they were; where the curves or a repair changed them, what
-    is left of each between the curves, as one polygon where it can be one.
+    """The polygons of the made mesh. Old polygons that neither curves nor a repair changed stay. The parts of
+    the others between the curves become one polygon each where their outline allows it.
 
-    :param became: of a repair, the new vertex of each old one.
+    :param became: after a repair, (n,), the new vertex of each old vertex.
     """
     source = made.origin.faces
     separators = np.sort(chain_edges(made), axis=1)
@@ -60,7 +60,8 @@ def layout_of(made, arrays, became=None):
 
 
 def _unchanged(made, arrays, separators, became):
-    """(number of polygons,): all its triangles are there, at the vertices where they were."""
+    """Whether each old polygon is unchanged, (number of polygons,): all its triangles exist, with the same
+    vertices."""
     source, count = made.origin.faces, len(arrays.triangles)
     own = np.flatnonzero(source >= 0)
     place = np.full(count, -1)
@@ -70,14 +71,14 @@ def _unchanged(made, arrays, separators, became):
         good &= (made.faces[place] == became[arrays.triangles]).all(axis=1)
     else:
         good &= (old_vertices(made)[made.faces[place]] == arrays.triangles).all(axis=1)
-    good[source[_on_curve(made, separators)]] = False  # a curve along a diagonal parts a polygon
+    good[source[_on_curve(made, separators)]] = False  # a curve along a diagonal divides a polygon
     result = np.ones(arrays.polygon_count, bool)
     result[arrays.polygons[~good]] = False
     return result
 
 
 def old_vertices(made):
-    """The vertex that each was; -1 for new ones."""
+    """For each vertex of the made mesh the old vertex that it is; -1 for new vertices."""
     rows = np.arange(len(made.vertices))
     heaviest = made.origin.weights.argmax(axis=1)
     return np.where(made.origin.weights[rows, heaviest] == 1,
@@ -96,7 +97,7 @@ def _on_curve(made, separators):
 
 
 class _Whole:
-    """The polygons that are as they were, corner by corner."""
+    """The unchanged polygons with their old corners."""
 
     def __init__(self, made, arrays, mask):
         self.mask = mask
@@ -112,11 +113,11 @@ class _Whole:
 
 
 class Part(NamedTuple):
-    """What is left of a polygon, or of several triangles of it."""
+    """A polygon of the made mesh: a part of an old polygon, or a single triangle."""
 
     corners: list
     triangles: list
-    polygon: int  # -1: of none
+    polygon: int  # the old polygon; -1: none
 
 
 def _parts(made, polygon, touched, separators):
@@ -137,7 +138,8 @@ def _single(triangles, polygon):
 
 
 def _joined(faces, triangles, separators, polygon):
-    """Polygons around triangles that no curve parts; the triangles where there is none."""
+    """Joins triangles of the same old polygon across edges without a curve; triangles whose outline is not a
+    single loop stay single."""
     half = {}
     for t in triangles:
         for k in range(3):
@@ -173,7 +175,7 @@ def _joined(faces, triangles, separators, polygon):
 
 
 def _around(rim):
-    """The corners in their order; None if the rim has several loops."""
+    """The corners of an outline in order; None if it has several loops."""
     at, loop = next(iter(rim)), []
     while len(loop) < len(rim):
         if at not in rim:

@@ -1,4 +1,4 @@
-"""A mesh object gets the geometry that Talweg made of it, with all that it had."""
+"""Replaces the geometry of a mesh object by a mesh that Talweg made, and restores all other data."""
 
 import numpy as np
 
@@ -6,14 +6,15 @@ from . import attributes, edges, polygons
 
 
 def _loose_edges(saved, made, became):
-    """Places and ends, in the numbers of ``made``, of edges without faces."""
+    """Old edges without faces: their indices, and their ends as vertices of ``made``."""
     loose = np.ones(len(saved.edges), bool)
     loose[saved.loop_edges] = False
     loose = np.flatnonzero(loose)
     if became is None:
         old = polygons.old_vertices(made) if len(loose) else np.empty(0, np.int64)
         became = np.full(saved.vertex_count, -1)
-        first = np.flatnonzero(old >= 0)[::-1]  # of several the first
+        first = np.flatnonzero(old >= 0)[::-1]  # reversed: of several vertices with one origin the first
+                                                # counts
         became[old[first]] = first
     ends = became[saved.edges[loose]].astype(np.int64)
     there = (ends >= 0).all(axis=1) & (ends[:, 0] != ends[:, 1])
@@ -21,15 +22,15 @@ def _loose_edges(saved, made, became):
 
 
 def rewrite(obj, made, saved, arrays, became=None):
-    """In object mode. Returns the layout of its polygons, and the places of ``made.vertices`` in the
-    mesh (-1: no face or edge has it any more).
+    """Replaces the geometry, in object mode. Returns the layout of the polygons, and the index in the mesh of
+    each vertex of ``made`` (-1: no face and no edge uses the vertex).
 
-    :param became: of a repair, the new vertex of each old one.
+    :param became: after a repair, (n,), the new vertex of each old vertex.
     """
     layout = polygons.layout_of(made, arrays, became)
     all_edges = edges.edges_of(made, layout, saved, _loose_edges(saved, made, became), became)
     kept = np.ones(len(made.vertices), bool)
-    if became is not None:  # vertices that were welded onto others are left over
+    if became is not None:  # welding leaves vertices that nothing uses
         kept[:] = False
         kept[made.faces] = True
         kept[all_edges.ends] = True
@@ -54,7 +55,7 @@ def rewrite(obj, made, saved, arrays, became=None):
 
 
 def select_chains(obj, made, place):
-    """Selects the edges along the curves and nothing else. In object mode."""
+    """Selects the edges along the curves and nothing else, in object mode."""
     mesh = obj.data
     along = place[polygons.chain_edges(made)].reshape(-1, 2)
     ends = attributes.read(mesh.edges, "vertices", 2, np.int32)

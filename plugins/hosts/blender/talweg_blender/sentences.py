@@ -1,4 +1,4 @@
-"""What is said of a result."""
+"""Sentences about a result for the user."""
 
 import math
 
@@ -6,14 +6,14 @@ import numpy as np
 
 from . import lengths, session
 
-#: Radians: a straight line turns by no more, and that is not worth a number.
+#: Radians: turning of a straight line by rounding errors alone, which is shown as 0.
 _ROUNDING = 1e-9
 
 
 def of_report(context, values):
     """The numbers in one sentence.
 
-    :param values: by the names of the report.
+    :param values: values of the report by name.
     """
     shown = {name: lengths.number(values[name]) if abs(values[name]) > _ROUNDING else "0"
              for name in ("curvature_before", "curvature_after", "bending_before", "bending_after")}
@@ -24,7 +24,8 @@ def of_report(context, values):
 
 
 def _apart(context, values):
-    """How far result and drawing lie apart. Reports that an older add-on kept know it one way."""
+    """The distance between result and drawing as a text. Curve objects of older versions have only the
+    distance from the result to the drawing."""
     least = values.get("farthest", values["deviation_to_drawn_max"])
     most = values.get("farthest_at_most", least)
     bound = f"no farther than {lengths.told(context, most)}"
@@ -32,28 +33,28 @@ def _apart(context, values):
 
 
 def decisive_of(values):
-    """Those of a report by which the result may be of no use."""
+    """The decisive warnings of a report, by which the result may be of no use."""
     return list(values.get("decisive", ()))
 
 
 def others_of(values):
-    """Its other warnings."""
+    """The warnings of a report that are not decisive."""
     decisive = decisive_of(values)
     return [one for one in values.get("warnings", ()) if one not in decisive]
 
 
 def warnings_of(values):
-    """All of a report, those first by which the result may be of no use."""
+    """All warnings of a report, the decisive ones first."""
     return decisive_of(values) + others_of(values)
 
 
 def of_result(context, result):
-    """The same of a result."""
+    """The numbers of a result in one sentence."""
     return of_report(context, vars(result.total))
 
 
 def of_object(obj, as_shown):
-    """Warnings of what the numbers and the place of the result do not know."""
+    """Warnings about modifiers and scales of the object, which the numbers of a result leave out."""
     found = []
     if not as_shown and session.is_changed(obj):
         found.append(f"The result lies on the mesh of {obj.name} without its modifiers and shape keys.")
@@ -65,7 +66,7 @@ def of_object(obj, as_shown):
 
 
 def of_scale(obj):
-    """A note for the panel, where an even scale makes lengths others than those of the scene."""
+    """A note for the panel if a uniform scale makes the lengths differ from lengths in the scene."""
     scales = _scales(obj)
     if abs(scales[0] - 1) > 1e-4 and scales[0] - scales[-1] <= 1e-4 * scales[0]:
         return [f"Lengths are without the object's scale, {scales[0]:.4g}."]
@@ -73,5 +74,6 @@ def of_scale(obj):
 
 
 def _scales(obj):
-    """Of the world matrix, descending; mirrors count as 1, parents count."""
+    """The singular values of the world matrix, descending: scales with those of parents, mirrors without
+    their sign."""
     return np.linalg.svd(np.array(obj.matrix_world)[:3, :3], compute_uv=False)

@@ -1,4 +1,5 @@
-"""Surfaces that are kept from one call to the next, and whether they are still those of their objects."""
+"""Surfaces that are kept between calls, and the check whether they still equal the meshes of their
+objects."""
 
 import bpy
 import numpy as np
@@ -6,41 +7,43 @@ import numpy as np
 from .drawings import MeshArrays
 from .surface import Surface
 
-#: So many surfaces, or triangles of all together; the oldest go first, the last one stays.
+#: Limits of the kept surfaces: their number, and their triangles in total. The oldest are dropped first; the
+#: newest always stays.
 _MOST, _MOST_TRIANGLES = 8, 3_000_000
 
 
 class _Kept:
     surfaces: list = []
-    unchanged: dict = {}  # by pointers of object and mesh, and whether as shown
+    unchanged: dict = {}  # surfaces by (pointer of the object, of the mesh, as shown), until Blender reports
+                          # a change
     result = None
     watched: list = []
 
 
 def forget():
-    """Frees what was kept."""
+    """Drops all kept surfaces and the last result."""
     _Kept.surfaces, _Kept.unchanged, _Kept.result = [], {}, None
 
 
 def last_result():
-    """The talweg.Result of the last call, in double precision; None if there was none."""
+    """The talweg.Result of the last call, in double precision; None if the call failed or there was none."""
     return _Kept.result
 
 
 def is_changed(obj):
-    """Whether the surface that is shown may be another one than the mesh."""
+    """Whether modifiers or shape keys may make the shown surface differ from the mesh."""
     return obj.data.shape_keys is not None or any(one.show_viewport for one in obj.modifiers)
 
 
 def surface_of(context, obj, as_shown, trust=False):
-    """The Surface of an object: with modifiers and shape keys as it is shown, or the mesh itself.
+    """The Surface of an object: as it is shown, with modifiers and shape keys, or of the mesh itself.
 
-    :param trust: nothing is read where Blender has told of no change since the last time. Of what
-        scripts write into arrays it tells only after ``mesh.update()``.
-    :raises talweg.BadMesh: if there are no faces.
+    :param trust: do not read the mesh if Blender has reported no change since the last call. Blender reports
+        a change of arrays by a script only after ``mesh.update()``.
+    :raises talweg.BadMesh: if the mesh has no faces.
     """
-    context.view_layer.update()  # tells of what has changed
-    evaluated = None  # what is hidden is not evaluated
+    context.view_layer.update()  # makes Blender report pending changes
+    evaluated = None  # hidden objects are not evaluated
     if obj.mode == "OBJECT" and obj.visible_get() and (as_shown or not is_changed(obj)):
         evaluated = obj.evaluated_get(context.evaluated_depsgraph_get())
     key = obj.as_pointer(), obj.data.as_pointer(), evaluated is not None
@@ -48,7 +51,7 @@ def surface_of(context, obj, as_shown, trust=False):
     if found is None:
         if obj.mode == "EDIT":
             obj.update_from_editmode()
-            context.view_layer.update()  # it tells of this as of a change
+            context.view_layer.update()  # Blender reports the evaluation as a change
         found = _kept(_read(obj, evaluated))
     _Kept.unchanged[key] = found
     found.shown = evaluated
@@ -64,7 +67,7 @@ def _read(obj, evaluated):
 
 
 def _kept(arrays):
-    """A surface with these arrays, the one that is there if there is one."""
+    """The kept surface with equal arrays; if there is none, a new one."""
     found = next((one for one in _Kept.surfaces if _is_same(one.arrays, arrays)), None)
     if found is None:
         found = Surface(arrays)
@@ -72,7 +75,7 @@ def _kept(arrays):
     while len(_Kept.surfaces) > 1 and sum(one.triangle_count for one in _Kept.surfaces) > _MOST_TRIANGLES:
         _Kept.surfaces.pop(0)
     _Kept.unchanged = {key: one for key, one in _Kept.unchanged.items() if one in _Kept.surfaces}
-    found.arrays = arrays  # polygons may be others though the triangles are the same
+    found.arrays = arrays  # the polygons may differ though the triangles are equal
     return found
 
 
@@ -82,19 +85,19 @@ def _is_same(kept, arrays):
 
 
 def smooth(surface, curves, parameters, **how):
-    """As Surface.smooth(); last_result() gives it again."""
+    """As Surface.smooth(); last_result() returns the result afterwards."""
     _Kept.result = None
     _Kept.result = surface.smooth(curves, parameters, **how)
     return _Kept.result
 
 
 class Watched:
-    """Whether Blender has told of a change of an object's mesh, or taken a step back, since it was made.
+    """Notes whether Blender has reported a change of an object's mesh, or an undo, since the note was made.
 
-    After that the object may be no more, and must not be touched."""
+    After a change the object may be gone and must not be touched."""
 
     def __init__(self, context, obj):
-        context.view_layer.update()  # tells of what has changed before
+        context.view_layer.update()  # makes Blender report earlier changes first
         self.has_changed = False
         self._pointers = {obj.as_pointer(), obj.data.as_pointer()}
         _Kept.watched.append(self)
@@ -125,7 +128,7 @@ def _doubt(*_):
 
 @bpy.app.handlers.persistent
 def _others(*_):
-    """Objects are other ones now, if they are there at all."""
+    """After an undo all objects are new, or gone."""
     _doubt()
     for one in _Kept.watched:
         one.has_changed = True

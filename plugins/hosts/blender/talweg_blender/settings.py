@@ -1,4 +1,4 @@
-"""What a curve object was made of, kept on it: its drawing, and values that can be changed later."""
+"""The drawing and the values of a curve object, stored on it, so that a user can change the values later."""
 
 import contextlib
 import json
@@ -9,7 +9,8 @@ import numpy as np
 from . import parameters
 from .package import talweg
 
-#: What is called when a value was changed by hand; set by the add-on's other parts.
+#: Functions (context, curve) that are called after a user has changed a value. The add-on's other modules add
+#: them.
 changed_by_hand = []
 
 _quiet = []
@@ -17,7 +18,7 @@ _quiet = []
 
 @contextlib.contextmanager
 def quietly():
-    """Values that are set inside are nobody's wish."""
+    """A context in which set values do not count as changes by the user."""
     _quiet.append(True)
     try:
         yield
@@ -32,11 +33,11 @@ def _changed(settings, context):
 
 
 class TALWEG_PG_settings(bpy.types.PropertyGroup):
-    """Values of a curve object; to change one is to smooth its drawing again."""
+    """The values of a curve object. A change of one smooths the drawing of the object again."""
 
 
 def own(changed):
-    """Properties that are not those of the plugin."""
+    """Properties that are no parameters of the plugin."""
     update = {"update": changed} if changed else {}
     return {
         "thickness": bpy.props.FloatProperty(
@@ -54,7 +55,7 @@ def own(changed):
 
 
 def draw_own(layout, values):
-    """The fields of these."""
+    """Draws the fields of the properties of own()."""
     for name in ("thickness", "colours"):
         layout.prop(values, name)
     row = layout.row()
@@ -67,15 +68,15 @@ def of(curve):
 
 
 def is_kept(obj):
-    """Whether it is a curve object that can be smoothed again."""
+    """Whether the object is a curve object with a stored drawing and a mesh."""
     return (obj is not None and obj.type == "CURVE" and "talweg_drawn" in obj
             and obj.parent is not None and obj.parent.type == "MESH")
 
 
 def keep(curve, source, drawn, surface, as_shown):
-    """The drawing and its values.
+    """Stores the drawing and its values on the curve object.
 
-    :param source: an operator, or other settings; None: those that it has.
+    :param source: an operator or settings with the values; None: the values stay.
     :param drawn: talweg.Curves.
     """
     settings = of(curve)
@@ -91,7 +92,7 @@ def keep(curve, source, drawn, surface, as_shown):
 
 
 def _written(curve, arrays):
-    """As JSON has it; positions are for a mesh that has changed meanwhile."""
+    """The curve as JSON. Positions are stored, too, for a mesh that changes later."""
     found = {"closed": bool(curve.closed)}
     if curve.vertices is not None and np.all(np.asarray(curve.vertices) >= 0):
         found["vertices"] = np.asarray(curve.vertices).tolist()
@@ -111,9 +112,9 @@ def _written(curve, arrays):
 
 
 def drawn_on(curve, surface):
-    """The talweg.Curves of the drawing; on a mesh that has changed by their positions.
+    """The talweg.Curves of the drawing; if the mesh has changed, from the stored positions.
 
-    :raises talweg.BadCurve: if they are not near this mesh any more.
+    :raises talweg.BadCurve: if the positions are far from the changed mesh.
     """
     kept = json.loads(curve["talweg_drawn"])
     same = kept["mesh"] == surface.fingerprint

@@ -1,18 +1,18 @@
-"""Polygons that Blender takes apart into triangles of a surface again."""
+"""Keeps polygons whose triangulation by Blender is a surface."""
 
 import bpy
 import numpy as np
 
 
 def without_repetitions(made, touched, parts, single):
-    """The parts (polygons.Part); those that share triangles or inner edges with others as Blender
-    takes them apart come as their own triangles.
+    """Replaces parts (polygons.Part) by their triangles where Blender's triangulation would repeat a triangle
+    or an oriented edge of another part.
 
-    Two polygons on either side of a nearly straight line may both get a triangle along it, and what
-    was cut could not be worked on again.
+    Two polygons on either side of a nearly straight line may both get a triangle along it. Such a mesh would
+    be no surface and could not be cut again.
 
     :param touched: the triangles of ``made`` that the parts consist of.
-    :param single: makes parts of triangles.
+    :param single: a function that makes single triangles of a part.
     """
     while any(len(part.corners) > 3 for part in parts):
         bad = _repeating(made, touched, parts)
@@ -24,7 +24,7 @@ def without_repetitions(made, touched, parts, single):
 
 
 def _repeating(made, touched, parts):
-    """(number of parts,): an edge of the triangles of a part is there twice in one direction."""
+    """(number of parts,): whether an oriented edge of the part's triangles occurs twice."""
     triangles, of_part = _as_blender_does(made, parts)
     marked = np.zeros(len(made.vertices), bool)
     marked[triangles.ravel()] = True
@@ -41,7 +41,7 @@ def _repeating(made, touched, parts):
 
 
 def _as_blender_does(made, parts):
-    """The triangles, in the vertices of ``made``, and the part of each."""
+    """Blender's triangles of the parts, as vertices of ``made``, and the part of each triangle."""
     totals = np.array([len(part.corners) for part in parts], np.int32)
     corners = np.concatenate([part.corners for part in parts])
     vertices, loops = np.unique(made.faces.ravel()[corners], return_inverse=True)

@@ -1,4 +1,5 @@
-"""Annotations, curve objects and grease pencil as drawings. One astray does not stop the others."""
+"""Drawings of annotations, curve objects and grease pencil. A stroke away from the mesh does not stop the
+others."""
 
 from typing import NamedTuple
 
@@ -11,17 +12,20 @@ MEND = "set the annotation tool's Placement to Surface and draw again"
 
 
 class Item(NamedTuple):
-    """What may become a curve."""
+    """A stroke or spline that may become a curve."""
 
     name: str
-    points: np.ndarray  # (n, 3), in the mesh object's own space
+    points: np.ndarray  # (n, 3), in the space of the mesh object
     cyclic: bool = False
-    exact: bool = False  # its points were set one by one, and are meant
-    reason: str = ""  # why it is on no surface
+    exact: bool = False  # its points are way-points, set one by one
+    reason: str = ""  # why the item is on no surface; empty: it may be on one
 
 
 def annotations(context, obj):
-    """The strokes of the scene's active annotation layer. :raises talweg.BadCurve: if there are none."""
+    """The strokes of the scene's active annotation layer.
+
+    :raises talweg.BadCurve: if there are none.
+    """
     data = context.scene.grease_pencil
     layer = data.layers.active if data and len(data.layers) else None
     strokes = _shown(layer, context.scene)
@@ -34,8 +38,11 @@ def annotations(context, obj):
 
 
 def objects(context, obj):
-    """Splines of selected curve objects, whose Bezier points are meant exactly, and strokes of selected
-    grease pencil objects. :raises talweg.BadCurve: if there are none."""
+    """Splines of the selected curve objects and strokes of the selected grease pencil objects. Points of
+    Bezier splines are way-points.
+
+    :raises talweg.BadCurve: if there are none.
+    """
     found = []
     for one in context.selected_objects:
         move = np.array(obj.matrix_world.inverted_safe()) @ np.array(one.matrix_world)
@@ -57,7 +64,7 @@ def drawing_of(items, surface, chosen):
     """The Drawing of items on a surface.
 
     :param chosen: numbers of items such as "0, 2-4, -1"; empty: all.
-    :raises talweg.BadCurve: if none is on the surface.
+    :raises talweg.BadCurve: if no item is on the surface.
     """
     curves, names, warnings, astray, raw = [], [], [], [], []
     for number in _numbers(chosen, len(items)):
@@ -82,7 +89,7 @@ def drawing_of(items, surface, chosen):
 
 
 def _shown(layer, scene):
-    """The strokes of the frame that is seen now."""
+    """The strokes of the layer's frame that is shown."""
     frames = [f for f in (layer.frames if layer else ()) if f.frame_number <= scene.frame_current]
     frame = max(frames, key=lambda f: f.frame_number, default=None)
     return list(frame.strokes) if frame is not None else []
@@ -104,7 +111,7 @@ def _spline(name, spline, move):
 
 
 def _astray(points, closed, distance, surface):
-    """Why it cannot be used, or nothing."""
+    """Why the item cannot become a curve; empty if it can."""
     if len(points) < (3 if closed else 2):
         counted = "1 point" if len(points) == 1 else f"{len(points)} points"
         return f"has {counted} apart from each other, too few for a curve."
@@ -119,7 +126,8 @@ def _listed(sentences):
 
 
 def _numbers(text, count):
-    """In their order, each once; "-1" is the last stroke. Raises talweg.BadUsage."""
+    """The chosen numbers, ascending and without repetitions; "-1" is the last stroke. Raises
+    talweg.BadUsage."""
     found = set()
     for word in text.replace(",", " ").split():
         first, dash, last = word.rpartition("-") if not word.startswith("-") else (word, "", "")

@@ -1,4 +1,4 @@
-"""The surface that is worked on, opened once: of it a new drawing or value costs only its stage."""
+"""A surface with its opened mesh. A new drawing or a new value repeats only its own stage of the work."""
 
 import hashlib
 
@@ -9,26 +9,27 @@ from mathutils.bvhtree import BVHTree
 from . import lengths
 from .package import talweg
 
-#: So many results are known on a surface, so that curve objects are exactly what they show.
+#: The number of results that a surface keeps, so that a curve object can be replaced by its exact result.
 _MOST = 16
 
 
 class Surface:
-    """Triangles as arrays, a place to measure from, and what is opened on them."""
+    """Triangles as arrays, Blender's object for distances, and the opened meshes."""
 
     def __init__(self, arrays):
-        """:raises talweg.BadMesh: if there are no faces."""
+        """:raises talweg.BadMesh: if the mesh has no faces."""
         if not len(arrays.triangles):
             raise talweg.BadMesh("The mesh has no faces.")
         self.arrays = arrays
-        #: Blender's own evaluated object, where there is one now: it measures faster than we do.
+        #: Blender's evaluated object, if it exists at present. Its search tree measures distances faster than
+        #: numpy.
         self.shown = None
         self.edge = mean_edge(arrays)
         self.size = float(np.linalg.norm(np.ptp(arrays.vertices.astype(float), axis=0)))
         self._tree = None
-        self._opened = {}  # by how it is repaired: (talweg.Mesh, talweg.Workspace)
+        self._opened = {}  # (talweg.Mesh, talweg.Workspace), by whether the mesh is repaired
         self._measures = {}
-        self._known = {}  # results by the key of their drawing
+        self._known = {}  # results by the keys of their drawings
 
     @property
     def triangle_count(self):
@@ -36,12 +37,12 @@ class Surface:
 
     @property
     def fingerprint(self):
-        """The same for the same mesh, also after Blender was closed."""
+        """A hash that is equal for equal meshes, also in another session of Blender."""
         return self.measured("fingerprint", lambda: hashlib.sha1(
             self.arrays.vertices.tobytes() + self.arrays.triangles.tobytes()).hexdigest())
 
     def mesh(self, repair=False):
-        """The talweg.Mesh. :raises talweg.BadMesh: if it is no surface."""
+        """The talweg.Mesh, repaired on request. :raises talweg.BadMesh: if it is no surface."""
         return self._with_workspace(repair)[0]
 
     def _with_workspace(self, repair):
@@ -51,9 +52,10 @@ class Surface:
         return self._opened[repair]
 
     def smooth(self, curves, parameters, repair=False, progress=None, key="", **wanted):
-        """A talweg.Result; what is the same as before is not done anew. Raises talweg.Error.
+        """The talweg.Result of these curves. Stages whose input is unchanged are not repeated. Raises
+        talweg.Error.
 
-        :param key: of the drawing; curve objects that show this result are known by it.
+        :param key: the key of the drawing, under which the result is kept for known_curves().
         :param wanted: point_fields.
         """
         workspace = self._with_workspace(repair)[1]
@@ -69,17 +71,18 @@ class Surface:
             self._known.pop(next(iter(self._known)))
 
     def known_curves(self):
-        """Those that were made last, which may have been rounded in curve objects."""
+        """The curves of the kept results, in double precision; curve objects have them rounded."""
         return [curve for result in self._known.values() for curve in result.curves]
 
     def measured(self, what, measure):
-        """measure(), or what it gave before: with a million faces it takes as long as a slider's step."""
+        """The result of measure(), kept under the key ``what``: at a million faces a measure takes as long as
+        a step of a slider."""
         if what not in self._measures:
             self._measures[what] = measure()
         return self._measures[what]
 
     def farthest(self, points):
-        """How far the farthest of these points lies from the surface."""
+        """The distance from the surface of the farthest point."""
         return self.measured(("far", points.tobytes()), lambda: max(
             (self._distance(point) for point in points.tolist()), default=0.0))
 
@@ -93,22 +96,22 @@ class Surface:
 
     @property
     def far(self):
-        """What is farther away than this was hardly meant to lie here."""
+        """A distance beyond which a drawing was hardly meant for this surface."""
         return min(3 * self.edge, self.size / 30)
 
     @property
     def too_far(self):
-        """What is farther away than this is no drawing on this surface."""
+        """A distance beyond which a drawing is refused on this surface."""
         return min(10 * self.edge, self.size / 8)
 
     def told(self, distance):
-        """The distance in both units."""
+        """The distance in scene units and in mean edges, as a text."""
         return (f"up to {lengths.told(bpy.context, distance)} away from the mesh, "
                 f"{lengths.number(distance / self.edge, 2)} mean edges")
 
 
 def mean_edge(arrays):
-    """Over all corners of all triangles, in the object's own units; 0 without triangles."""
+    """The mean length of the sides of all triangles, in the object's units; 0 without triangles."""
     corners = arrays.vertices[arrays.triangles].astype(float)
     sides = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     return float(sides.mean()) if sides.size else 0.0

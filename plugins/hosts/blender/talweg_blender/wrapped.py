@@ -6,9 +6,9 @@ import bpy
 
 
 def draw(layout, lines, width=None, icon="ERROR"):
-    """Wrapped, since a label is cut off at the width of its panel.
+    """Draws lines as several labels, since a label is cut off at the width of its panel.
 
-    :param width: in letters; None: as wide as the region is.
+    :param width: in letters; None: the width of the region.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
@@ -18,8 +18,8 @@ def draw(layout, lines, width=None, icon="ERROR"):
 
 
 def _letters():
-    """About how many fit beside an icon."""
+    """About how many letters fit beside an icon."""
     region = bpy.context.region
-    if region is None or region.width < 100:  # a panel that is being made
+    if region is None or region.width < 100:  # a panel that is being created
         return 36
     return max(int((region.width / bpy.context.preferences.system.ui_scale - 75) / 6.2), 16)

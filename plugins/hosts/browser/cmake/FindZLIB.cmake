@@ -1,4 +1,4 @@
-# Only what unpacks: nothing here writes packed data.
+# Only the part of zlib that unpacks: the page writes no packed data.
 if(NOT TARGET ZLIB::ZLIB)
   include(${CMAKE_CURRENT_LIST_DIR}/debian_source.cmake)
   debian_source(z/zlib/zlib_1.2.13.dfsg.orig.tar.bz2

@@ -1,5 +1,5 @@
-# debian_source(FILE SHA256 FOLDER): the sources of a Debian package, unpacked once into the build;
-# FOLDER gets where they are. A copy of the file may lie in TALWEG_DOWNLOADS.
+# debian_source(FILE SHA256 FOLDER): the sources of a Debian package, unpacked once into the build; FOLDER is
+# set to their folder. A copy of the file may lie in TALWEG_DOWNLOADS.
 set(TALWEG_DOWNLOADS ${CMAKE_BINARY_DIR}/downloads CACHE PATH "Where sources are, or come to")
 function(debian_source path sha256 folder)
   cmake_path(GET path FILENAME name)

@@ -1,13 +1,13 @@
-# Debian's emscripten, with this machine's header-only libraries, and two small ones that are compiled
+# Debian's emscripten, with this machine's header-only libraries, and two small libraries that are compiled
 # from Debian's sources.
 include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
-# Native WebAssembly exceptions: those that JavaScript throws cost several times the time everywhere.
+# Native WebAssembly exceptions: exceptions by JavaScript make all code several times slower.
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions")
-# There are no threads, but their functions are declared, and that is enough here.
+# There are no threads, but the functions of threads are declared, which is enough here.
 set(CMAKE_HAVE_LIBC_PTHREAD TRUE CACHE INTERNAL "")
 
-# Beside /usr/include, whose other headers are those of another system.
+# A folder of its own, since /usr/include has headers of this machine's system, too.
 set(TALWEG_SYSROOT ${CMAKE_BINARY_DIR}/host)
 file(MAKE_DIRECTORY ${TALWEG_SYSROOT}/talweg/include)
 foreach(part OpenMesh eigen3 fmt nlohmann fast_float)

@@ -1,5 +1,5 @@
-// An answer to a call of the page: JSON, and arrays of numbers beside it, which JavaScript takes as
-// they lie in memory.
+// An answer to a call of the page: JSON, and arrays of numbers beside it, which JavaScript reads
+// directly from memory.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace talweg::browser {
 
 using Json = nlohmann::ordered_json;
 
-/// As module.ts has them.
+/// In the order of `kinds` in module.ts.
 enum class NumberKind : std::uint32_t { kFloat64, kFloat32, kUint32, kInt32, kUint8 };
 
 struct OutArray {
@@ -29,7 +29,7 @@ class Answer {
  public:
   Json json = Json::object();
 
-  /// Keeps the numbers; gives what stands for them in the JSON.
+  /// Keeps the numbers; returns their placeholder in the JSON.
   template <class Number>
   Json array(std::vector<Number> values) {
     auto kept = std::make_shared<const std::vector<Number>>(std::move(values));

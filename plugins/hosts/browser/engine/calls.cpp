@@ -1,5 +1,5 @@
-// What JavaScript calls: one function by names, with arguments and answers in JSON, and room for
-// the bytes that come and go beside it (src/engine/module.ts).
+// The functions for JavaScript: one function that takes names of calls, with arguments and answers
+// in JSON, and memory for bytes beside them (src/engine/module.ts).
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -49,7 +49,7 @@ Answer call_engine(const std::string& name, const Json& a) {
   Engine& engine = state().engine;
   const std::string bytes = std::exchange(state().bytes, {});
   const auto text = [&](std::size_t k) { return a.at(k).get<std::string>(); };
-  // What was left out at the end is off.
+  // Omitted arguments at the end are false.
   const auto flag = [&](std::size_t k) { return k < a.size() && a.at(k).get<bool>(); };
   if (name == "open") {
     return engine.open(text(0), bytes, flag(1), optional_of(a.size() > 2 ? a.at(2) : Json()));
@@ -72,7 +72,7 @@ Answer call_engine(const std::string& name, const Json& a) {
   throw editing::Error("The engine has no " + name + ".");
 }
 
-/// `editor.new` gives a number, by which the editor is called: `editor.1.addPoint`.
+/// `editor.new` returns a number, by which the editor is called: `editor.1.addPoint`.
 Answer call_editors(const std::string& name, const Json& arguments) {
   State& own = state();
   if (name == "new") {
@@ -96,7 +96,7 @@ Answer call(const std::string& name, const Json& arguments) {
   return call_engine(name, arguments);
 }
 
-/// The text of the answer, or of what went wrong.
+/// The text of the answer, or of the error.
 std::string answered(const char* name, const char* arguments) {
   State& own = state();
   Json text;
@@ -116,7 +116,7 @@ std::string answered(const char* name, const char* arguments) {
 
 extern "C" {
 
-/// JSON, until the next call: {"answer": ...} or {"error": a sentence}.
+/// JSON, valid until the next call: {"answer": ...} or {"error": a sentence}.
 const char* talweg_call(const char* name, const char* arguments) {
   auto& own = talweg::browser::state();
   own.answer = {};
@@ -124,7 +124,7 @@ const char* talweg_call(const char* name, const char* arguments) {
   return own.text.c_str();
 }
 
-/// Room for bytes beside the arguments of the next call.
+/// Memory for bytes beside the arguments of the next call.
 char* talweg_room(std::size_t bytes) {
   auto& own = talweg::browser::state();
   try {

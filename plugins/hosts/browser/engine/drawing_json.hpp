@@ -1,4 +1,4 @@
-// Drawings as the page has them (src/engine/types.ts).
+// Converts drawings to and from the JSON of the page (src/engine/types.ts).
 #pragma once
 
 #include "answer.hpp"
@@ -13,7 +13,7 @@ editing::Drawing drawing_of(const Json& json);
 Json json_of(const editing::Curve& curve);
 Json json_of(const editing::Drawing& drawing);
 
-/// null: none.
+/// A number; null becomes nothing.
 std::optional<double> optional_of(const Json& json);
 
 }  // namespace talweg::browser

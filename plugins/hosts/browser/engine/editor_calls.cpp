@@ -15,7 +15,7 @@ using Call = Json (*)(Editor&, Arguments);
 
 std::size_t index(Arguments a, std::size_t k) { return a.at(k).get<std::size_t>(); }
 
-/// An edit that gives nothing.
+/// Makes an edit without an answer.
 template <class Edit>
 Json done(Edit&& edit) {
   edit();
@@ -24,7 +24,7 @@ Json done(Edit&& edit) {
 
 Json name_or_null(const std::string& name) { return name.empty() ? Json(nullptr) : Json(name); }
 
-/// The name of the step, or null if there was none to take.
+/// The name of the step that was undone, or null if there was none.
 Json undo(Editor& editor) {
   const std::string name = editor.history().undo_name();
   return editor.history().undo() ? name_or_null(name) : Json(nullptr);

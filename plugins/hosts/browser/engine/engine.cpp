@@ -163,13 +163,13 @@ Answer Engine::leg(const editing::Point& from, const editing::Point& to) {
 
 Answer Engine::comb(std::size_t curve, double spacing) const {
   std::vector<editing::Tooth> teeth;
-  // While the hand moves no curvature is measured.
+  // During a movement of the hand no curvature is measured.
   if (smoothed_ && curve < results_.curves.size()) {
     teeth = editing::comb_of(*mesh_.arrays, results_.curves[curve], spacing);
   }
   std::vector<editing::Vector> roots, tips;
   std::vector<double> curvature;
-  // A circle as large as the mesh has teeth of a twentieth of its size.
+  // On a circle as large as the mesh a tooth has a twentieth of the mesh's size.
   const double scale = diagonal_of(*mesh_.arrays) * diagonal_of(*mesh_.arrays) / 40;
   const double longest = diagonal_of(*mesh_.arrays) / 8;
   for (const editing::Tooth& tooth : teeth) {

@@ -9,7 +9,7 @@
 namespace talweg::browser {
 namespace {
 
-/// Goes with the object.
+/// A file that is removed with the object.
 class Passing {
  public:
   explicit Passing(const std::string& name)

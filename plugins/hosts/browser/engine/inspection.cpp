@@ -13,9 +13,9 @@ namespace {
 
 using editing::MeshArrays;
 
-/// Vertices at exactly the place of another.
+/// The number of vertices at exactly the place of another vertex.
 std::size_t repeated_places(const MeshArrays& mesh) {
-  using Bits = std::array<std::uint64_t, 3>;  // in order even where a coordinate is no number
+  using Bits = std::array<std::uint64_t, 3>;  // ordered even if a coordinate is NaN
   std::vector<Bits> places(mesh.positions.size());
   for (std::size_t v = 0; v < places.size(); ++v) {
     std::memcpy(places[v].data(), mesh.positions[v].data(), sizeof(Bits));
@@ -25,8 +25,9 @@ std::size_t repeated_places(const MeshArrays& mesh) {
   return static_cast<std::size_t>(places.end() - end);
 }
 
-/// A surface has about half as many vertices as triangles; a soup has three for each. A large mesh
-/// is worth a closer look only if that would be needed at many places.
+/// Whether welding may be needed. A surface has about half as many vertices as triangles, a
+/// triangle soup three for each triangle. For a large mesh the search is worth its time only if
+/// welding may be needed at many places.
 bool may_need_welding(const MeshArrays& mesh) {
   const std::size_t vertices = mesh.positions.size();
   if (vertices > mesh.triangles.size()) return true;
@@ -34,7 +35,7 @@ bool may_need_welding(const MeshArrays& mesh) {
   return mesh.triangles.size() > kInspected ? repeated > vertices / 20 : repeated > 0;
 }
 
-/// Vertices that were welded onto others stay in the list, in no triangle.
+/// The number of vertices in triangles: vertices that were welded onto others stay in the list.
 std::size_t used_vertices(const host::Mesh& mesh) {
   std::vector<bool> used(mesh.positions.size());
   for (const auto& triangle : mesh.triangles) {
@@ -65,7 +66,7 @@ std::optional<WeldOffer> weld_offer(const editing::Plugins& plugins, const MeshA
                     {"borders", count("weld.boundary_loops")},
                     {"bordersNow", count("boundary_loops")}}};
 } catch (const std::exception&) {
-  return {};  // the mesh can be used without it
+  return {};  // the mesh can be used without welding
 }
 
 Json repair_told(const editing::Plugins& plugins, const MeshArrays& mesh, double weld_tolerance) {

@@ -1,4 +1,4 @@
-// What talweg.repair finds out about a mesh, and makes of it.
+// The results of talweg.repair about a mesh.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,25 @@
 
 namespace talweg::browser {
 
-/// Of larger meshes only opening tells what is wrong: looking for everything else takes several
+/// Faces. Larger meshes are only checked by opening them: a search for all defects takes several
 /// times as long and as much memory.
 constexpr std::size_t kInspected = 300'000;
 
 host::Results inspected(const editing::Plugins& plugins, const editing::MeshArrays& mesh);
 
-/// What welding would give.
+/// The effect of welding.
 struct WeldOffer {
-  double tolerance = 0;  ///< mesh units; 0: vertices at one place become one
+  double tolerance = 0;  ///< mesh units; 0: only vertices at the same place are welded
   Json told;             ///< `Weld` in src/engine/types.ts
 };
 
-/// Nothing unless the mesh can be used as it is, but has parts that only lie beside each other, as
-/// a soup of triangles has. Looks closely only where vertices lie at one place, or are many.
+/// Nothing unless the mesh can be used unrepaired, but has parts that only touch, as a triangle
+/// soup has. The search is done only if vertices coincide, or are many.
 std::optional<WeldOffer> weld_offer(const editing::Plugins& plugins,
                                     const editing::MeshArrays& mesh);
 
-/// What a repair did, `Repaired` in src/engine/types.ts; without its changes for larger meshes.
+/// The changes of a repair, `Repaired` in src/engine/types.ts; without the list of changes for
+/// larger meshes.
 Json repair_told(const editing::Plugins& plugins, const editing::MeshArrays& mesh,
                  double weld_tolerance);
 

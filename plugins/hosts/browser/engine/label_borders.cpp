@@ -13,7 +13,7 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 
-/// Every side of a triangle, the smaller vertex first, with its label.
+/// A side of a triangle, the smaller vertex first, with the triangle's label.
 struct Side {
   Edge edge;
   double label;

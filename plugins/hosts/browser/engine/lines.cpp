@@ -16,7 +16,7 @@ std::vector<double> field(const host::Curve& curve, const char* name) {
   return {};
 }
 
-/// Arc length at every point and, of a closed curve, at the first one again.
+/// Arc length at every point; for a closed curve also at the first point again.
 std::vector<double> arcs_of(const host::Curve& curve) {
   const std::size_t n = curve.positions.size();
   std::vector<double> arcs = {0};
@@ -27,7 +27,7 @@ std::vector<double> arcs_of(const host::Curve& curve) {
   return arcs;
 }
 
-/// Sum of the turns at points with arcs in [from, to], of a closed curve round and round.
+/// The sum of the turns at points with arc lengths in [from, to]; a closed curve is periodic.
 double turn_within(const std::vector<double>& arcs, const std::vector<double>& sums, double from,
                    double to) {
   const auto before = [&](double arc) {
@@ -77,7 +77,7 @@ Json texts_of(const host::Results& results, const char* key, std::int64_t curve)
   return entry == nullptr ? Json::array() : Json(entry->texts);
 }
 
-/// The sentences that decide, each with its place, if it has one.
+/// The decisive warnings, each with its place, if it has one.
 Json decisive_of(const host::Results& results, std::int64_t curve) {
   Json all = Json::array();
   const host::ReportEntry* sentences = results.find("decisive", curve);

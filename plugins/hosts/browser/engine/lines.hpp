@@ -1,4 +1,4 @@
-// Curves on the mesh, as the page shows them: `Line` in src/engine/types.ts.
+// Curves on the mesh for the page: `Line` in src/engine/types.ts.
 #pragma once
 
 #include "answer.hpp"
@@ -6,15 +6,15 @@
 
 namespace talweg::browser {
 
-/// Curves that talweg.smooth gave, with their reports. Turning is the mean geodesic curvature
-/// (1 / mesh unit, positive to the left) within `window` on both sides of a point: a polyline turns
-/// only at its points.
+/// The results of talweg.smooth with their reports. Turning is the mean geodesic curvature (1 /
+/// mesh unit, positive to the left) within `window` on both sides of a point, since a polyline
+/// turns only at its points.
 Json lines_of(const host::Results& results, double window, Answer& answer);
 
-/// Curves as they were drawn: only their length is known.
+/// Drawn curves, of which only the length is known.
 Json drawn_lines(const std::vector<host::Curve>& curves, Answer& answer);
 
-/// x, y and z of each, one after the other.
+/// x, y and z of each row, one after the other.
 std::vector<double> flat(const std::vector<std::array<double, 3>>& rows);
 
 }  // namespace talweg::browser

@@ -30,7 +30,7 @@ talweg_status take(void* context, const talweg_mesh_file* file) {
   }
 }
 
-/// The space of a patient's coordinates (talweg_mesh_files.h).
+/// Whether the word is an anatomical space (talweg_mesh_files.h).
 bool is_space(const std::string& word) { return word == "LPS" || word == "RAS"; }
 
 void note(void* context, const char* text) {

@@ -1,4 +1,4 @@
-// What a mesh is, in words.
+// Describes a mesh in words.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace talweg::browser {
 
-/// What `talweg info` tells, of a report of talweg.repair: a line each.
+/// The text of `talweg info`, from a report of talweg.repair, one fact on each line.
 std::string words_of(const host::Results& inspection);
 
-/// The first lines of it, of a mesh that is too large to look at everything while somebody waits.
+/// The first lines of this text, for a mesh that is too large to be inspected while the user waits.
 std::string words_of(const editing::MeshArrays& mesh, double mean_edge);
 
 }  // namespace talweg::browser

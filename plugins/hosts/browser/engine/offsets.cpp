@@ -21,7 +21,7 @@ Offsets::Offsets(const editing::Plugins& plugins, const editing::MeshArrays& mes
   if (defects == editing::Defects::kRepair) instance_.set("repair", 1.0);
   if (weld_within > 0) instance_.set("repair_weld_tolerance", weld_within);
   editing::set_mesh(instance_, mesh);
-  instance_.set("ends", "open");  // smoothed loops are closed already
+  instance_.set("ends", "open");  // smoothed loops are already closed
 }
 
 void Offsets::make(const std::vector<host::Curve>& curves, const OffsetWish& wish) {
@@ -41,7 +41,7 @@ Answer Offsets::told() const {
   Json sides = Json::array();
   for (std::size_t c = 0; c < lines.size(); ++c) {
     const auto curve = static_cast<std::int64_t>(c);
-    // The report of a single curve is that of all.
+    // A single curve has its report among the entries for all curves.
     const std::string side = results_.text("side", curve);
     sides.push_back(side.empty() ? results_.text("side", -1) : side);
   }

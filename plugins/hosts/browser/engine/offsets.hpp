@@ -1,4 +1,4 @@
-// Offsets are curves at a distance along the surface from the smoothed ones (talweg.offset).
+// Offsets: curves at a distance along the surface from smoothed curves (talweg.offset).
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@ namespace talweg::browser {
 
 /// `OffsetWish` in src/engine/types.ts.
 struct OffsetWish {
-  std::vector<std::size_t> curves;  ///< of the last smoothing, from 0
+  std::vector<std::size_t> curves;  ///< indices of the last smoothing's curves, from 0
   double distance = 0;              ///< along the surface, mesh units
-  std::string side = "both";        ///< both, left or right
-  std::string caps = "round";       ///< round or none
+  std::string side = "both";        ///< "both", "left" or "right"
+  std::string caps = "round";       ///< "round" or "none"
 };
 
 OffsetWish offset_wish_of(const Json& json);
 
 class Offsets {
  public:
-  /// A mesh that is repaired may be welded within a tolerance, in mesh units.
+  /// `weld_within` is the tolerance of a repair's welding, mesh units.
   Offsets(const editing::Plugins& plugins, const editing::MeshArrays& mesh,
           editing::Defects defects, double weld_within);
 
-  /// Throws host::Error with the library's sentence, also where no point is that far away.
+  /// Throws host::Error with the library's sentence, also if no point has this distance.
   void make(const std::vector<host::Curve>& curves, const OffsetWish& wish);
   void clear() { results_ = {}; }
 

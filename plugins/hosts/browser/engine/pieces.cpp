@@ -5,7 +5,7 @@
 namespace talweg::browser {
 namespace {
 
-/// Puts values behind those of the same attribute. Where corners share entries, numbers go up.
+/// Appends the values of the same attribute of another mesh. Entries of corners are renumbered.
 void append(host::Attribute& to, const host::Attribute& more) {
   const auto before = static_cast<std::uint32_t>(to.values.size() / to.columns);
   to.values.insert(to.values.end(), more.values.begin(), more.values.end());

@@ -1,4 +1,4 @@
-// Pieces are what curves take a mesh apart into.
+// The pieces of a mesh between curves.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@ namespace talweg::browser {
 
 class Pieces {
  public:
-  /// A mesh that is repaired may be welded within a tolerance, in mesh units.
+  /// `weld_within` is the tolerance of a repair's welding, mesh units.
   Pieces(const editing::Plugins& plugins, FileMesh mesh, editing::Defects defects,
          double weld_within);
 
   /// All pieces along the curves. Throws host::Error.
   void cut(const std::vector<host::Curve>& curves);
-  /// One of them, its rims closed by lids if asked. Throws editing::Error for one that is not
-  /// there.
+  /// Keeps one piece, on request with lids on its boundary loops. Throws editing::Error if there is
+  /// no such piece.
   void keep(std::size_t part, bool lids);
 
-  /// What cut() or keep() gave last, with what the plugin had to say.
+  /// The result of the last cut() or keep(), with the plugin's warnings.
   [[nodiscard]] const std::vector<host::Mesh>& meshes() const { return meshes_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
-  /// The same as one mesh, with its attributes.
+  /// The result as one mesh, with its attributes.
   [[nodiscard]] FileMesh together() const;
-  /// Each piece alone. What cut() or keep() gave last stays.
+  /// Each piece as a mesh. The result of the last cut() or keep() stays.
   [[nodiscard]] std::vector<FileMesh> each(bool lids);
 
  private:

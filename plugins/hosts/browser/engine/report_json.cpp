@@ -23,7 +23,7 @@ Json value_of(const host::ReportEntry& entry) {
   return values.empty() ? Json(nullptr) : values.front();
 }
 
-/// `time_ms.load` is the member `load` of the group `time_ms`.
+/// The entries of a curve as an object; `time_ms.load` is the member `load` of the group `time_ms`.
 Json group_of(const host::Results& results, std::int64_t curve) {
   Json group = Json::object();
   for (const host::ReportEntry& entry : results.report) {

@@ -1,4 +1,4 @@
-// Reports as the driver writes them.
+// Reports in the form of the driver's JSON.
 #pragma once
 
 #include "answer.hpp"
@@ -6,7 +6,7 @@
 
 namespace talweg::browser {
 
-/// The totals; of several curves also `curves`, a report of each. Numbers that are not finite are
+/// The totals; for several curves also `curves`, a report for each. Numbers that are not finite are
 /// null.
 Json report_json(const host::Results& results);
 

@@ -30,7 +30,7 @@ MeshArrays icosahedron() {
   return mesh;
 }
 
-/// Every triangle becomes four, with new vertices on the sphere.
+/// Divides every triangle into four, with new vertices on the sphere.
 MeshArrays finer(const MeshArrays& mesh) {
   MeshArrays result{mesh.positions, {}};
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -51,7 +51,7 @@ MeshArrays finer(const MeshArrays& mesh) {
   return result;
 }
 
-/// How far the stone reaches in a direction, in mesh units.
+/// The radius of the stone in a direction, mesh units.
 double reach(const Vector& d) {
   const double broad = 1 + 0.16 * d[0] * d[0] - 0.22 * d[2] * d[2];
   const double waves = 0.10 * std::sin(3 * d[0] + 1) * std::cos(2.5 * d[1]) +

@@ -1,4 +1,4 @@
-// The page's elements, found by their ids, and its buttons, found by what they do.
+// The page's elements, found by their ids, and its buttons, found by their commands.
 
 /** Throws Error for an id that the page does not have. */
 export function byId<T extends HTMLElement>(id: string): T {
@@ -11,7 +11,7 @@ export function input(id: string): HTMLInputElement {
   return byId<HTMLInputElement>(id);
 }
 
-/** Leaves a box alone that a person is writing into. */
+/** Sets the text of a box, unless the user is writing in it. */
 export function setBox(id: string, text: string): void {
   if (document.activeElement !== input(id)) input(id).value = text;
 }
@@ -21,7 +21,7 @@ export function numberIn(box: HTMLInputElement): number | null {
   return box.value.trim() === '' ? null : box.valueAsNumber;
 }
 
-/** What the page's buttons do, by the name in their `data-act`. */
+/** The commands of the page's buttons, by the name in their `data-act`. */
 export type Acts = Record<string, () => unknown>;
 
 export function bindActs(acts: Acts): void {
@@ -43,7 +43,7 @@ export function setText(id: string, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Makes the elements of a list anew. */
+/** Replaces the elements of a list. */
 export function fill(id: string, elements: Node[]): void {
   byId(id).replaceChildren(...elements);
 }
@@ -54,10 +54,11 @@ export function element<K extends keyof HTMLElementTagNameMap>(name: K, text = '
   return made;
 }
 
-/** The box of the newest choice: without it a browser may forget it before the person has chosen. */
+/** The box of the newest choice: without this reference a browser may drop the box before the user
+   has chosen. */
 let choosing: HTMLInputElement | null = null;
 
-/** Lets the person choose a file. */
+/** Lets the user choose a file. */
 export function chooseFile(accept: string, chosen: (file: File) => void): void {
   const box = document.createElement('input');
   choosing = box;

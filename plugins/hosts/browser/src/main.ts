@@ -1,5 +1,4 @@
-// Puts the page together: the store in the middle, hands and panel that change it, the view that
-// shows it.
+// Connects the page's parts: the store, hands and panel that change it, and the view that shows it.
 import { Cursor } from './gestures/cursor';
 import { Hand } from './gestures/hand';
 import { Keys } from './gestures/keys';

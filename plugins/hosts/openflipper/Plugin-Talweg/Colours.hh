@@ -17,15 +17,15 @@ class Colours {
 
   void choose(ColourBy by);
   [[nodiscard]] ColourBy by() const { return by_; }
-  /// Whether they are on the mesh, and need show().
+  /// Whether the chosen colours are on the mesh, so that show() needs fields of the mesh.
   [[nodiscard]] bool on_mesh() const {
     return by_ == ColourBy::kDistance || by_ == ColourBy::kPotential;
   }
-  /// What was computed of the mesh.
+  /// Shows the fields of these results on the mesh.
   void show(const host::Results& results);
 
   struct Scale {
-    double most = 0;  ///< what the last colour stands for; the first for 0
+    double most = 0;  ///< value of the last colour; the first colour has the value 0
     QString unit;
   };
   [[nodiscard]] Scale scale() const;
@@ -35,7 +35,7 @@ class Colours {
   TriMeshObject& mesh_;
   ResultLines& lines_;
   ColourBy by_ = ColourBy::kNothing;
-  double largest_ = 0;  // on the mesh
+  double largest_ = 0;  // value on the mesh
 };
 
 }  // namespace talweg::openflipper

@@ -1,4 +1,4 @@
-// Curve colours tell the curves of a drawing apart, in the scene and in the panel's list.
+// Colours by which the curves of a drawing differ, in the scene and in the panel's list.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace talweg::openflipper {
 
-/// Of the smoothed curve with that number, from 1; they repeat after eight.
+/// The colour of the smoothed curve with this number, from 1; colours repeat after eight curves.
 inline ACG::Vec4f colour_of_curve(std::uint32_t number) {
   static const std::array<ACG::Vec4f, 8> kColours = {
       ACG::Vec4f(0.15f, 1.0f, 0.35f, 1.0f),  ACG::Vec4f(0.25f, 0.75f, 1.0f, 1.0f),
@@ -18,7 +18,7 @@ inline ACG::Vec4f colour_of_curve(std::uint32_t number) {
   return kColours[(number + kColours.size() - 1) % kColours.size()];
 }
 
-/// Of what was drawn: darker, so that both can be seen where they are side by side.
+/// The colour of the drawn curve: darker, so that drawing and result differ where they are close.
 inline ACG::Vec4f colour_of_drawn(std::uint32_t number) {
   const ACG::Vec4f result = colour_of_curve(number);
   return {0.25f * result[0], 0.25f * result[1], 0.25f * result[2], 1.0f};

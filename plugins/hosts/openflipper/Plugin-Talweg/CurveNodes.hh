@@ -1,5 +1,5 @@
-// Curve nodes are what the scene shows of a drawing besides the host's own lines: the drawn lines
-// and points, the leg to the mouse, combs, a mark. They know no drawing, only places and colours.
+// Nodes of the scene for a drawing besides the host's own lines: drawn lines and points, the leg to
+// the mouse, combs, and a mark. They get places and colours, and know no drawing.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct LineLook {
   ACG::Vec4f colour;
 };
 
-/// Only with a window. What a person cannot grab cannot be picked either.
+/// Exists only with a window. The nodes cannot be picked, except the parts that the mouse can grab.
 class CurveNodes {
  public:
   CurveNodes();
@@ -31,15 +31,15 @@ class CurveNodes {
   CurveNodes& operator=(const CurveNodes&) = delete;
 
   void set_visible(bool visible);
-  /// Points behind the body are faint.
+  /// Points behind the mesh are faint.
   void show_points(const std::vector<PointLook>& points);
   void show_lines(const std::vector<LineLook>& lines);
-  void show_leg(const LineLook& leg);  ///< without points: none
+  void show_leg(const LineLook& leg);  ///< an empty line removes the leg
   void show_comb(const std::vector<LineLook>& lines);
-  void show_mark(const std::optional<ACG::Vec3d>& at);  ///< before everything else
+  void show_mark(const std::optional<ACG::Vec3d>& at);  ///< drawn in front of everything else
 
  private:
-  ACG::SceneGraph::MaterialNode* root_;  // the scene's, with all below
+  ACG::SceneGraph::MaterialNode* root_;  // owned by the scene, with all nodes below
   ACG::SceneGraph::PointNode *points_, *faint_points_, *mark_rim_, *mark_;
   ACG::SceneGraph::LineNode *lines_, *leg_, *comb_, *faint_comb_;
 };

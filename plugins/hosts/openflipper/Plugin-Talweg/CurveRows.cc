@@ -65,7 +65,8 @@ CurvesState curves_state(const Session& session) {
   state.pinned = all_pinned(curve);
   state.tau = curve.tau;
   state.tolerance = curve.tolerance;
-  // A stroke begins with the slack that it has, so that ticking alone changes nothing.
+  // The tolerance of a stroke begins with the slack of the result, so that the tick alone changes
+  // nothing.
   const double slack = std::max(session.results().number("slack"), 0.0);
   state.general_tolerance =
       editing::all_clicked(curve) ? 0 : drawing.settings.slack.value_or(slack);

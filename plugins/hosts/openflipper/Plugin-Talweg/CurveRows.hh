@@ -1,4 +1,4 @@
-// Curve rows are what the panel says of each curve of a session.
+// The rows of the panel's list of curves, from the curves of a session.
 #pragma once
 
 #include "CurvesBox.hh"
@@ -7,7 +7,7 @@
 namespace talweg::openflipper {
 
 [[nodiscard]] CurvesState curves_state(const Session& session);
-/// "Curve 3", or the name that a person gave.
+/// "Curve 3", or the user's name for the curve.
 [[nodiscard]] QString title_of(const editing::Curve& curve);
 
 }  // namespace talweg::openflipper

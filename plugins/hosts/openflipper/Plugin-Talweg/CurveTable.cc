@@ -38,7 +38,7 @@ CurveTable::CurveTable(QWidget* parent) : QTreeWidget(parent) {
   for (const int column : {kLength, kDeviation, kTurning}) {
     headerItem()->setTextAlignment(column, Qt::AlignRight);
   }
-  setFixedHeight(5 * fontMetrics().height() + 14);  // the head and three rows
+  setFixedHeight(5 * fontMetrics().height() + 14);  // the header and three rows
   connect(this, &QTreeWidget::itemSelectionChanged, this, [this] {
     const QTreeWidgetItem* item = selectedItems().isEmpty() ? nullptr : selectedItems().first();
     emit selected(item == nullptr ? 0U : item->data(kName, Qt::UserRole).toUInt());

@@ -1,4 +1,4 @@
-// The curve table lists the curves of a drawing: a row each, with its colour, name and numbers.
+// The list of the curves of a drawing: a row for each curve, with its colour, name and numbers.
 #pragma once
 
 #include <QColor>
@@ -12,10 +12,10 @@ namespace talweg::openflipper {
 struct CurveRow {
   std::uint32_t number = 0;
   QColor colour;
-  QString name;   ///< given by a person; empty: none
-  QString title;  ///< shown where it has no name
+  QString name;   ///< the user's name; empty: none
+  QString title;  ///< shown without a name
   QString length, deviation, turning;
-  QString warning;  ///< sentences by which the result may be of no use; empty: none
+  QString warning;  ///< decisive warnings, by which the result may be of no use; empty: none
 
   bool operator==(const CurveRow&) const = default;
 };
@@ -24,13 +24,13 @@ class CurveTable : public QTreeWidget {
   Q_OBJECT
  public:
   explicit CurveTable(QWidget* parent);
-  /// `selected`: a number, or 0. A name that is being edited stays.
+  /// `selected` is the number of a curve, or 0. A name that is being edited stays.
   void show_rows(const std::vector<CurveRow>& rows, std::uint32_t selected);
 
  signals:
-  void selected(unsigned number);  ///< by the person; 0: none
+  void selected(unsigned number);  ///< by the user; 0: no curve
   void renamed(unsigned number, const QString& name);
-  void remove();  ///< the key Delete
+  void remove();  ///< the Delete key
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

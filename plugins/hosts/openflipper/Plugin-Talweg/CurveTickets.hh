@@ -1,4 +1,5 @@
-// Curve tickets remember of which curves the thread's outcomes are: the drawing has gone on since.
+// Stores which curves each request to the thread is about, since the drawing may have changed
+// before its outcome.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +14,15 @@ namespace talweg::openflipper {
 
 class CurveTickets {
  public:
-  /// A request about those curves of the drawing that have two points or more.
+  /// Stores a request about the curves of the drawing with two points or more.
   void asked(std::uint64_t ticket, const editing::Drawing& drawing) {
     std::vector<std::uint32_t>& numbers = numbers_[ticket];
     for (const auto& curve : drawing.curves) {
       if (curve->points.size() >= 2) numbers.push_back(curve->number);
     }
   }
-  /// The numbers of its curves, in the order of the outcome's. Requests before it, and it, are
-  /// forgotten.
+  /// The numbers of the request's curves, in the order of its outcome. Removes the request and all
+  /// earlier ones.
   std::vector<std::uint32_t> take(std::uint64_t ticket) {
     const auto found = numbers_.find(ticket);
     if (found == numbers_.end()) return {};
@@ -35,7 +36,8 @@ class CurveTickets {
   std::map<std::uint64_t, std::vector<std::uint32_t>> numbers_;
 };
 
-/// Where a drawing has the curve with that number; nothing if it has none.
+/// The index of the curve with this number in a drawing; nothing if the drawing does not have the
+/// curve.
 inline std::optional<std::size_t> index_of(const editing::Drawing& drawing, std::uint32_t number) {
   const auto& curves = drawing.curves;
   const auto at = std::find_if(curves.begin(), curves.end(),

@@ -1,5 +1,4 @@
-// The curves box is the part of the panel with the curves as things: their list, and what can be
-// done with the selected one.
+// The part of the panel with the curves: their list, and the commands for the selected curve.
 #pragma once
 
 #include <QGroupBox>
@@ -14,11 +13,11 @@ namespace talweg::openflipper {
 
 struct CurvesState {
   std::vector<CurveRow> rows;
-  std::uint32_t selected = 0;  ///< a number; 0: none
-  bool unfinished = false;     ///< one of them is being drawn
-  // The selected one.
+  std::uint32_t selected = 0;  ///< number of a curve; 0: none
+  bool unfinished = false;     ///< whether a curve is being drawn
+  // State of the selected curve.
   bool closed = false, pinned = false;
-  std::optional<double> tau, tolerance;  ///< its own
+  std::optional<double> tau, tolerance;  ///< own values of the selected curve
   double general_tau = 1, general_tolerance = 0;
   double most = 1;  ///< the largest tolerance that the slider offers, mesh units
 };
@@ -35,7 +34,7 @@ class CurvesBox : public QGroupBox {
   void clear();
   void selected(unsigned number);
   void renamed(unsigned number, const QString& name);
-  // Of the selected curve.
+  // About the selected curve.
   void remove();
   void pin(bool pinned);
   void set_closed(bool closed);

@@ -1,5 +1,5 @@
-// A depth node draws what hangs below it only where it is in front of the scene, or only where it
-// is behind. Each viewer has its own front, and turning the view costs nothing.
+// A node whose subtree is drawn only in front of the scene, or only behind it. The test is by
+// depth, so every viewer has its own result, and a turn of the view costs nothing.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@ namespace talweg::openflipper {
 
 class DepthNode : public ACG::SceneGraph::BaseNode {
  public:
-  /// `passes`: GL_LEQUAL in front, GL_GREATER behind, GL_ALWAYS both. It belongs below the node of
-  /// a material that blends, which is drawn after the meshes and sets this for itself.
+  /// `passes` is GL_LEQUAL for the front, GL_GREATER for the back, GL_ALWAYS for both. The node
+  /// belongs below a material node with blending, which is drawn after the meshes and sets the
+  /// depth test, too.
   DepthNode(GLenum passes, ACG::SceneGraph::BaseNode* parent, const std::string& name)
       : BaseNode(parent, name), passes_(passes) {}
   ACG_CLASSNAME(DepthNode)

@@ -1,4 +1,4 @@
-// A drawing backup is a state of a drawing on the host's list of undo and redo.
+// A state of a drawing in the host's list for undo and redo.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace talweg::openflipper {
 
-/// Polylines have no backups of their own. Applying one brings the drawing to its state.
+/// The host has no backups of polylines. Applying a backup sets the drawing to its state.
 class DrawingBackup : public BaseBackup {
  public:
   DrawingBackup(BaseObjectData* object, const QString& name, std::function<void()> restore)
@@ -24,10 +24,10 @@ class DrawingBackup : public BaseBackup {
   std::function<void()> restore_;
 };
 
-/// The list of an object, made with its first state where there is none yet.
+/// The list of an object. A new list begins with the present state.
 inline BackupData& backups_of(BaseObjectData& object, std::function<void()> restore_original) {
   if (!object.hasObjectData(OBJECT_BACKUPS)) {
-    auto* made = new BackupData(&object);  // the object's
+    auto* made = new BackupData(&object);  // owned by the object
     object.setObjectData(OBJECT_BACKUPS, made);
     made->storeBackup(new DrawingBackup(&object, "Original Object", std::move(restore_original)));
   }

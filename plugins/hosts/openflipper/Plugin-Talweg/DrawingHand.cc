@@ -70,7 +70,7 @@ void DrawingHand::press(const QMouseEvent& event) {
     if (curve) insert_point(*session, *curve, at);
     return;
   }
-  if (event.modifiers() & Qt::ShiftModifier) return;  // beside the point to remove
+  if (event.modifiers() & Qt::ShiftModifier) return;  // the click missed the point to be removed
   pressed_at_ = at;
   pressed_curve_ = session != nullptr && session->editor().is_drawing() ? std::nullopt : curve;
   if (!pressed_curve_) begin_stroke(at);
@@ -92,7 +92,7 @@ void DrawingHand::press_point(Session& session, const Handle& handle,
   }
 }
 
-/// The new point can be dragged at once, which is the same step.
+/// The new point can be dragged at once; insertion and drag are one step of undo.
 void DrawingHand::insert_point(Session& session, const CurvePlace& place, const QPoint& at) {
   const auto there = picked(at);
   if (!there || there->session != &session) return;
@@ -118,15 +118,16 @@ void DrawingHand::begin_stroke(const QPoint& at) {
   there->session->edit([&](Editor& e) { e.add_point(*there->point); });
   painting_ = true;
   last_painted_ = at;
-  // While the host draws its picture Qt drops all movements but the last, and with them the stroke.
+  // While the host draws its picture, Qt drops all movements of the mouse except the last, and so
+  // most of a stroke.
   drops_moves_ = QCoreApplication::testAttribute(Qt::AA_CompressHighFrequencyEvents);
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
 void DrawingHand::move(const QMouseEvent& event) {
   const QPoint at = position_of(event);
-  if (pressed_curve_ &&
-      (at - pressed_at_).manhattanLength() >= 4) {  // no click on it, but a stroke
+  if (pressed_curve_ && (at - pressed_at_).manhattanLength() >= 4) {  // a stroke that starts on the
+                                                                      // curve, and no click on it
     pressed_curve_.reset();
     begin_stroke(pressed_at_);
   }
@@ -148,8 +149,8 @@ void DrawingHand::move(const QMouseEvent& event) {
   }
 }
 
-/// The leg to the mouse. Where the host would have to draw its scene to tell what is there, that
-/// would cost too much for every movement.
+/// Shows the leg to the mouse. If the host would have to draw its scene to find the place under the
+/// mouse, no leg is shown, since every movement would take too long.
 void DrawingHand::reach(const QPoint& at, const std::optional<Handle>& handle) {
   Session* session = sessions_.now();
   if (session == nullptr || !session->editor().is_drawing()) return reach_no_more();
@@ -208,8 +209,8 @@ bool DrawingHand::key(int key) {
   return true;
 }
 
-/// Keys are ours only in the viewer that has the focus: dialogs and boxes have their own use for
-/// them.
+/// Keys count only in the viewer with the focus: dialogs and boxes use the same keys for other
+/// commands.
 bool DrawingHand::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
     return watched == QApplication::focusWidget() && watched->inherits("QGraphicsView") &&
@@ -220,12 +221,12 @@ bool DrawingHand::eventFilter(QObject* watched, QEvent* event) {
   return viewer && draws() && !painting_ && !dragged_ && view_hand_.take(watched, event);
 }
 
-/// The host's shortcuts are asked first, unless the override is accepted.
+/// Without an accepted override, the host's shortcuts would get the key first.
 bool DrawingHand::key_event(QEvent* event) {
   const auto& pressed = *static_cast<QKeyEvent*>(event);
   const Session* session = sessions_.now();
   if (session == nullptr) return false;
-  const bool again =  // the host knows Ctrl+Z, and Ctrl+Shift+Z only
+  const bool again =  // the host knows only Ctrl+Z and Ctrl+Shift+Z
       pressed.key() == Qt::Key_Y && pressed.modifiers() == Qt::ControlModifier;
   const bool drawing = draws() && session->editor().is_drawing() && is_drawing_key(pressed.key());
   if (!again && !drawing) return false;

@@ -1,4 +1,4 @@
-// The drawing hand is a person's mouse and keys while curves are drawn in the host's views.
+// Turns the user's mouse and keys in the host's views into edits while curves are drawn.
 #pragma once
 
 #include <QMouseEvent>
@@ -23,16 +23,16 @@ class DrawingHand : public QObject {
   /// Whether the mouse draws.
   [[nodiscard]] bool draws() const;
   void set_draws(bool on);
-  /// Of a viewer.
+  /// A mouse event of a viewer.
   void mouse(QMouseEvent& event);
-  /// Enter, Esc and Backspace while a curve is drawn; true where the key was ours.
+  /// Handles Enter, Esc and Backspace while a curve is drawn; true if the key was used.
   bool key(int key);
-  /// Nothing is held any more, since it may be gone.
+  /// Releases the held point or curve, since it may no longer exist.
   void let_go();
   void reach_no_more();
 
  protected:
-  /// Of the whole program.
+  /// Filters events of the whole program.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -56,12 +56,13 @@ class DrawingHand : public QObject {
   UnderMouse under_mouse_;
   ViewHand view_hand_{[this](bool host) { give_mouse(host); }};
   std::optional<Handle> dragged_;
-  std::optional<CurvePlace> pressed_curve_;  // a click on it if the mouse moves no more
+  std::optional<CurvePlace> pressed_curve_;  // becomes a click on the curve if the mouse does not
+                                             // move
   QPoint pressed_at_;
   bool painting_ = false;
   QPoint last_painted_;
-  bool reaching_ = false;    // the scene shows a leg to the mouse
-  bool drops_moves_ = true;  // whether Qt does, but for a stroke
+  bool reaching_ = false;    // whether the scene shows a leg to the mouse
+  bool drops_moves_ = true;  // Qt's setting outside strokes
 };
 
 }  // namespace talweg::openflipper

@@ -67,7 +67,7 @@ void DrawingLine::keep(const editing::History& history) {
   kept_ = number;
 }
 
-/// Numbers of states grow along the history: those before first_ are not on the host's list.
+/// Numbers of states grow along the history; states before first_ are not in the host's list.
 bool DrawingLine::undo(const editing::History& history) {
   return id_ >= 0 && history.number() > first_ && host_.host_undo(id_);
 }

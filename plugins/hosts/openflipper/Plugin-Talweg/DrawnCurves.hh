@@ -1,5 +1,4 @@
-// Drawn curves are what the scene shows of a drawing: its points, its lines as they lie on the
-// mesh, and the leg to the mouse.
+// The drawing in the scene: its points, its lines on the mesh, and the leg to the mouse.
 #pragma once
 
 #include <cstdint>
@@ -13,22 +12,23 @@ namespace talweg::openflipper {
 
 class DrawnCurves {
  public:
-  /// Without a window there are no nodes.
+  /// `nodes` is null without a window.
   explicit DrawnCurves(CurveNodes* nodes) : nodes_(nodes) {}
 
   void show(const editing::Drawing& drawing, const editing::MeshArrays& arrays);
-  /// Lines on the mesh, by the numbers of their curves. A curve that has changed keeps its line
-  /// until the new one comes.
+  /// Takes lines on the mesh, with the numbers of their curves. A changed curve keeps its line
+  /// until the new line arrives.
   void take(std::vector<host::Curve> lines, const std::vector<std::uint32_t>& numbers,
             const editing::Drawing& drawing);
-  /// Null where it is not known.
+  /// The line of a curve; null if not known.
   [[nodiscard]] const host::Curve* line_of(std::uint32_t number) const;
   void show_leg(const host::Curve& leg, std::uint32_t number);
   void hide_leg();
 
-  /// From the next show() on.
+  /// Takes effect at the next show().
   void set_with_points(bool with) { with_points_ = with; }
-  /// Hidden points are not there for the mouse either, but the one that closes a curve.
+  /// Whether a point is shown, and so can be picked. The point that closes a curve can always be
+  /// picked.
   [[nodiscard]] bool shows_point(const editing::Drawing& drawing, std::size_t curve,
                                  std::size_t point) const;
 
@@ -38,7 +38,7 @@ class DrawnCurves {
   [[nodiscard]] std::vector<LineLook> line_looks(const editing::Drawing& drawing) const;
 
   CurveNodes* nodes_;
-  std::map<std::uint32_t, host::Curve> lines_;  // by number
+  std::map<std::uint32_t, host::Curve> lines_;  // by the numbers of the curves
   bool with_points_ = true;
 };
 

@@ -1,4 +1,4 @@
-// Edit names are those of the editing model, in the language of the panel.
+// Names of edits in the language of the panel.
 #pragma once
 
 #include <QString>
@@ -6,7 +6,7 @@
 
 namespace talweg::openflipper {
 
-/// A name that is not known is given back as it is.
+/// The translated name; an unknown name is returned unchanged.
 QString name_of_edit(const std::string& name);
 
 }  // namespace talweg::openflipper

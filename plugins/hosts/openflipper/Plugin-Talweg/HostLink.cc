@@ -51,7 +51,7 @@ void HostLink::pluginsInitialized() {
   timer_.start(100);
 }
 
-/// The host may never delete this object.
+/// The host may never delete this object, so everything ends here.
 void HostLink::exit() {
   timer_.stop();
   sessions_.end();
@@ -83,7 +83,7 @@ void HostLink::make_menus() {
 
 void HostLink::slotUpdateContextMenu(int _objectId) { menu_object_ = _objectId; }
 
-// ---- What the host tells
+// ---- Calls from the host
 
 void HostLink::slotAllCleared() {
   sessions_.clear();
@@ -113,7 +113,7 @@ void HostLink::slotPickModeChanged(const std::string& /*_mode*/) {
   changed();
 }
 
-// ---- What is asked of the host
+// ---- Calls to the host
 
 int HostLink::add_line(const QString& name) {
   int id = -1;
@@ -207,7 +207,7 @@ void HostLink::changed() {
   emit updateView();
 }
 
-/// As near as before, with the place in the middle.
+/// Keeps the distance of the view, with the place in the middle.
 void HostLink::look_at(const ACG::Vec3d& place, const ACG::Vec3d& normal) {
   if (!OpenFlipper::Options::gui()) return;
   const int viewer = static_cast<int>(PluginFunctions::activeExaminer());
@@ -224,7 +224,9 @@ void HostLink::look_at_progress() {
   for (const auto& [mesh, session] : sessions_.all()) session->leave_what_never_ends();
   const Session* session = sessions_.now();
   editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
-  if (progress.task == editing::Task::kLeg) progress.busy = false;  // one after another
+  if (progress.task == editing::Task::kLeg)
+    progress.busy = false;  // legs follow each other
+                            // without a pause
   if (!progress.busy) busy_since_ = 0;
   if (progress.busy && busy_since_ == 0) busy_since_ = now_ms();
   const double busy_ms = progress.busy ? now_ms() - busy_since_ : 0;

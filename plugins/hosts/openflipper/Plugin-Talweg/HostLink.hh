@@ -1,5 +1,5 @@
-// The host link is the plugin as OpenFlipper's interfaces see it: their signals and slots, and what
-// the plugin's parts ask of the host. It also wires these parts.
+// The plugin as a class of OpenFlipper's interfaces: their signals and slots, and the calls of the
+// plugin's parts to the host. The class also connects these parts.
 #pragma once
 
 #include <QObject>
@@ -72,7 +72,7 @@ class HostLink : public QObject,
   void startJob(QString _jobId, QString _description, int _min, int _max, bool _blocking = false);
   void setJobState(QString _jobId, int _value);
   void finishJob(QString _jobId);
-  void setJobName(QString _jobId, QString _name);  // not used, but missed by the host
+  void setJobName(QString _jobId, QString _name);  // unused, but the host expects it
   void setJobDescription(QString _jobId, QString _description);
   // StatusbarInterface
   void showStatusMessage(QString _message, int _timeout = 0);
@@ -98,7 +98,7 @@ class HostLink : public QObject,
   // ContextMenuInterface
   void slotUpdateContextMenu(int _objectId);
 
-  void look_at_sessions();  ///< the threads have something
+  void look_at_sessions();  ///< the threads may have answers
   void look_at_progress();
 
  public slots:
@@ -141,7 +141,7 @@ class HostLink : public QObject,
   QTranslator translator_;
   double busy_since_ = 0;
   bool job_shown_ = false;
-  bool updating_ = false;  // what the host says is updated is our own doing
+  bool updating_ = false;  // the update that the host reports was made by this plugin
   QString hint_;
 };
 

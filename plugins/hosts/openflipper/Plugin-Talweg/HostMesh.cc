@@ -10,7 +10,7 @@
 namespace talweg::openflipper {
 namespace {
 
-/// The edge between the two corners that the point lies between, or -1.
+/// The edge on which the point lies between two corners, or -1.
 int edge_at(const TriMesh& mesh, unsigned face, const std::array<double, 3>& barycentric) {
   const auto zero = std::find(barycentric.begin(), barycentric.end(), 0.0);
   if (zero == barycentric.end()) return -1;

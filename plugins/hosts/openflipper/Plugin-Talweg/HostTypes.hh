@@ -1,4 +1,4 @@
-// The host's headers of meshes and lines need this order.
+// Includes the host's headers of meshes and lines in the order that they need.
 #pragma once
 
 // clang-format off

@@ -1,4 +1,4 @@
-// This is the one place that knows which OpenFlipper this is: 4.x with Qt 5, 5.x with Qt 6.
+// The only code that depends on the version of OpenFlipper: 4.x with Qt 5, 5.x with Qt 6.
 #pragma once
 
 #include <QMouseEvent>

@@ -14,7 +14,8 @@ using editing::Vector;
 
 ACG::Vec3d place(const Vector& v) { return {v[0], v[1], v[2]}; }
 
-/// The teeth and the line along their tips. `size`: of a tooth whose curvature is 1.
+/// The teeth of a comb, and the line along their tips. `size` is the length of a tooth with
+/// curvature 1.
 void add_looks(const std::vector<Tooth>& teeth, bool closed, double size, const ACG::Vec4f& colour,
                std::vector<LineLook>& looks) {
   LineLook tips{{}, closed, colour};
@@ -43,7 +44,8 @@ void Inspection::show(const Inspected& now) {
   find_mark(now);
 }
 
-/// Measured at places of which there are as many on every curve of that length, on any mesh.
+/// Measures curvature at equal steps along the curves, so that the number of places depends neither
+/// on the mesh nor on the points of the result.
 void Inspection::measure(const Inspected& now) {
   const double spacing = size_ / 150;
   combs_.clear();
@@ -53,7 +55,7 @@ void Inspection::measure(const Inspected& now) {
     const host::Curve& curve = now.results.curves[c];
     const bool known = std::any_of(curve.fields.begin(), curve.fields.end(),
                                    [](const host::Field& f) { return f.name == "curvature"; });
-    if (!known) break;  // it was asked before
+    if (!known) break;  // the fields were not requested
     combs_.push_back({editing::comb_of(now.mesh, curve, spacing), curve.closed, now.numbers.at(c)});
     for (const Tooth& tooth : combs_.back().teeth) {
       if (tooth.curvature > most_curved_.curvature) most_curved_ = tooth;
@@ -92,7 +94,8 @@ std::optional<ACG::Vec3d> Inspection::place_of_largest(const host::Results& resu
   return ACG::Vec3d(at->numbers[0], at->numbers[1], at->numbers[2]);
 }
 
-/// The point of the results next to the place says on which curve it is, and where the mesh faces.
+/// Finds the result's point nearest to the marked place, which gives the curve and the normal of
+/// the mesh.
 void Inspection::find_mark(const Inspected& now) {
   marked_ = {};
   if (const auto at = place_of_largest(now.results)) {

@@ -1,5 +1,5 @@
-// An inspection is how a person looks for what is wrong with smoothed curves: combs of curvature,
-// and a mark at the place where something is largest.
+// Shows defects of smoothed curves to the user: combs of curvature, and a mark at the largest
+// deviation or curvature.
 #pragma once
 
 #include <cstdint>
@@ -12,42 +12,42 @@
 
 namespace talweg::openflipper {
 
-/// What is marked where it is largest.
+/// The quantity whose largest value is marked.
 enum class Mark { kNothing, kDeviation, kCurvature };
 
-/// What is looked at.
+/// The input of an inspection.
 struct Inspected {
   const editing::MeshArrays& mesh;
   const host::Results& results;
-  const std::vector<std::uint32_t>& numbers;  ///< of the results' curves
-  bool newer_come = false;                    ///< newer results are on their way
+  const std::vector<std::uint32_t>& numbers;  ///< numbers of the results' curves
+  bool newer_come = false;                    ///< whether newer results are being computed
 };
 
 class Inspection {
  public:
-  /// Without a window there are no nodes. `size`: the mesh's diagonal.
+  /// `nodes` is null without a window. `size` is the length of the mesh's diagonal.
   Inspection(HostCalls& host, CurveNodes* nodes, double size)
       : host_(host), nodes_(nodes), size_(size) {}
 
-  /// Whether it needs the fields of points.
+  /// Whether the inspection needs fields of the results' points.
   [[nodiscard]] bool wants_fields() const { return with_combs_ || mark_ == Mark::kCurvature; }
   /// Whether combs are known.
   [[nodiscard]] bool has_combs() const { return !combs_.empty(); }
-  /// There are other results.
+  /// Shows new results.
   void show(const Inspected& now);
 
   void show_combs(bool with);
   [[nodiscard]] bool with_combs() const { return with_combs_; }
-  /// Of the tooth that is longest, 1 / mesh unit; 0: there is no comb.
+  /// The curvature of the longest tooth, 1 / mesh unit; 0 without combs.
   [[nodiscard]] double longest_tooth() const { return most_curved_.curvature; }
 
   struct Marked {
-    std::optional<ACG::Vec3d> at;  ///< none: nothing is marked
+    std::optional<ACG::Vec3d> at;  ///< empty: no mark
     double value = 0;              ///< mesh units, or 1 / mesh unit
-    std::uint32_t curve = 0;       ///< its number
+    std::uint32_t curve = 0;       ///< number of the curve
   };
-  /// Marks the place where that is largest when find_mark() or show() comes next, which turns the
-  /// view to it.
+  /// Marks the largest value of a quantity at the next find_mark() or show(), which turns the view
+  /// to it.
   void set_mark(Mark mark);
   void find_mark(const Inspected& now);
   [[nodiscard]] Mark mark() const { return mark_; }
@@ -57,7 +57,7 @@ class Inspection {
   struct Comb {
     std::vector<editing::Tooth> teeth;
     bool closed;
-    std::uint32_t number;  // of its curve
+    std::uint32_t number;  // number of the curve
   };
 
   void measure(const Inspected& now);
@@ -68,11 +68,11 @@ class Inspection {
   CurveNodes* nodes_;
   double size_;
   bool with_combs_ = false;
-  std::vector<Comb> combs_;  // of the results, where they are wanted
+  std::vector<Comb> combs_;  // combs of the results, if requested
   editing::Tooth most_curved_ = {};
   Mark mark_ = Mark::kNothing;
   Marked marked_;
-  bool turns_ = false;  // the view, to the mark
+  bool turns_ = false;  // whether the view turns to the mark
 };
 
 }  // namespace talweg::openflipper

@@ -1,4 +1,4 @@
-// The legend says which values the colours in the scene stand for.
+// The legend of the colours in the scene.
 #pragma once
 
 #include <QString>
@@ -10,7 +10,7 @@ class Legend : public QWidget {
   Q_OBJECT
  public:
   explicit Legend(QWidget* parent);
-  /// Colours go from 0 to `most`; hidden where that is not more than 0.
+  /// Shows colours for 0 to `most`; hides the legend unless `most` is above 0.
   void show_scale(double most, const QString& unit);
   [[nodiscard]] QSize sizeHint() const override;
 

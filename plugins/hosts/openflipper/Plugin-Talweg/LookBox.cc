@@ -9,7 +9,7 @@ namespace {
 
 QComboBox* choice(QWidget* parent, const QString& name, const QStringList& texts) {
   auto* made = new QComboBox(parent);
-  made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two side by side
+  made->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // two boxes share the width
   made->setObjectName(name);
   made->addItems(texts);
   return made;

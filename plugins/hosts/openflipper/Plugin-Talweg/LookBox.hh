@@ -1,5 +1,4 @@
-// The look box is the part of the panel that says how curves look: colours with their legend, combs
-// and what is marked.
+// The part of the panel for the looks of curves: colours with their legend, combs, and the mark.
 #pragma once
 
 #include <QCheckBox>
@@ -13,13 +12,13 @@ namespace talweg::openflipper {
 
 struct LookState {
   int coloured_by = 0;
-  double most = 0;     ///< what the last colour stands for; 0: there are no colours
-  QString unit;        ///< of that
+  double most = 0;     ///< value of the last colour; 0: no colours
+  QString unit;        ///< unit of the value
   bool points = true;  ///< whether drawn points are shown
   bool comb = false;
-  QString comb_text;  ///< its scale
+  QString comb_text;  ///< scale of the combs
   int mark = 0;
-  QString mark_text;  ///< how much is there, and where
+  QString mark_text;  ///< value and place of the mark
 };
 
 class LookBox : public QWidget {

@@ -28,7 +28,7 @@ double area_of(const TriMesh& mesh, Face face) {
   return ((corners[1] - corners[0]) % (corners[2] - corners[0])).norm() / 2;
 }
 
-/// The faces that hang together with one, without a step over the chain.
+/// The faces connected to a face without a step across the chain.
 std::vector<Face> faces_beside(const TriMesh& mesh, Face start,
                                const std::vector<TriMesh::HalfedgeHandle>& chain) {
   std::vector<bool> on_chain(mesh.n_edges(), false), seen(mesh.n_faces(), false);
@@ -70,7 +70,7 @@ std::vector<Face> smaller_side(const TriMesh& mesh,
   return area_of(mesh, a) <= area_of(mesh, b) ? a : b;
 }
 
-/// What people have selected stays selected in a part.
+/// Copies the selection of the mesh to a part.
 void carry_selection(const TriMesh& from, TriMesh& part) {
   OpenMesh::VPropHandleT<int> vertex;
   OpenMesh::FPropHandleT<int> face;

@@ -1,4 +1,4 @@
-// A number row is a setting in the panel: tick or label, slider, box, unit.
+// A row of the panel for a number: a tick or label, a slider, a box, and a unit.
 #pragma once
 
 #include <QCheckBox>
@@ -11,7 +11,7 @@
 
 namespace talweg::openflipper {
 
-/// A number with four significant digits, and no exponent.
+/// A box for a number with four significant digits and without an exponent.
 class SignificantBox : public QDoubleSpinBox {
  public:
   explicit SignificantBox(QWidget* parent);
@@ -22,21 +22,22 @@ class NumberRow : public QObject {
   Q_OBJECT
  public:
   struct Texts {
-    QString name;  ///< of the widgets, which get "Slider", "Box" and "Tick" behind it
+    QString name;  ///< prefix of the widgets' names: "Slider", "Box" and "Tick" follow
     QString label, tip, unit;
   };
-  /// Takes the next row of the grid, so that sliders of several rows begin and end together. Slider
-  /// positions are spaced by the square, so that small values have room. `optional`: with a tick.
+  /// Takes the next row of the grid, so that sliders of several rows are aligned. The value grows
+  /// with the square of the slider's position, which leaves room for small values. `optional`: with
+  /// a tick.
   NumberRow(const Texts& texts, double largest, bool optional, QGridLayout* grid, QWidget* parent);
-  /// Without signals. What is not set shows `otherwise`, which a tick then sets. `largest` > 0 is
-  /// the slider's range.
+  /// Shows a value without signals. Without a value the row shows `otherwise`, which a tick then
+  /// sets. `largest` > 0 is the end of the slider.
   void show_value(std::optional<double> value, double otherwise, double largest = 0);
-  /// Can be used unless there is a sentence on why not, which is then the tip.
+  /// Disables the row if `why_not` has a sentence, which becomes its tip.
   void show_use(const QString& why_not);
 
  signals:
-  void begun();  ///< the slider is held
-  void ended();  ///< and let go
+  void begun();  ///< the slider is pressed
+  void ended();  ///< the slider is released
   void changed(bool set, double value);
 
  private:
@@ -51,7 +52,7 @@ class NumberRow : public QObject {
   QLabel* unit_;
   QString tip_;
   double largest_;
-  double shown_ = 0;  // what the box was told, without its digits
+  double shown_ = 0;  // the value given to the box, before rounding to its digits
   bool set_ = true, usable_ = true;
 };
 

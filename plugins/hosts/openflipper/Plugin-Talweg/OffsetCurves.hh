@@ -1,4 +1,4 @@
-// Offset curves run at a distance along the surface from smoothed ones; talweg.offset makes them.
+// Curves at a distance along the surface from smoothed curves, made by talweg.offset.
 #pragma once
 
 #include <QString>
@@ -15,14 +15,14 @@ struct Offset {
   QString side;         ///< "both", "left" or "right"
 };
 
-/// A curve for each component. `say` gets a sentence on each warning. Throws host::Error where
-/// nothing lies at the distance.
+/// A curve for each component. `say` gets a sentence on each warning. Throws host::Error if no
+/// point has this distance.
 std::vector<host::Curve> offset_of(const editing::Plugins& plugins,
                                    const editing::MeshArrays& arrays, editing::Defects defects,
                                    const std::vector<host::Curve>& curves, const Offset& offset,
                                    const std::function<void(const QString&)>& say);
 
-/// The curves as objects of the host, which belong to nobody. Returns their ids.
+/// Adds the curves to the host as objects of no session. Returns their ids.
 std::vector<int> add_lines(HostCalls& host, const QString& name, const TriMesh& mesh,
                            const std::vector<host::Curve>& curves);
 

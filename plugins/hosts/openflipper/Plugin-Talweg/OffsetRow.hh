@@ -1,4 +1,4 @@
-// The offset row makes curves at a distance from smoothed ones: a button, the distance, the side.
+// The row of the panel for offset curves: a button, the distance, and the side.
 #pragma once
 
 #include <QComboBox>
@@ -13,7 +13,7 @@ class OffsetRow : public QWidget {
   Q_OBJECT
  public:
   explicit OffsetRow(QWidget* parent = nullptr);
-  /// A distance that nobody has typed is three of the mesh's edges.
+  /// A distance that the user has not typed is three mean edges of the mesh.
   void show_state(bool enabled, double mean_edge);
 
  signals:
@@ -23,7 +23,7 @@ class OffsetRow : public QWidget {
   QToolButton* button_;
   SignificantBox* distance_;
   QComboBox* side_;
-  double shown_ = 0;  // the distance that is of the mesh
+  double shown_ = 0;  // the distance that was set from the mesh
 };
 
 }  // namespace talweg::openflipper

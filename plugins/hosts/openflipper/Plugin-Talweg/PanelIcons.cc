@@ -25,7 +25,7 @@ QPainterPath arrow_back(bool forward) {
   return forward ? QTransform(-1, 0, 0, 1, 16, 0).map(path) : path;
 }
 
-/// An arrow at a shelf: down into it, or up out of it.
+/// An arrow at a shelf, into it or out of it.
 QPainterPath shelf(bool in) {
   QPainterPath path = polygon({{2, 10}, {2, 14}, {14, 14}, {14, 10}});
   path.addPath(polygon({{8, 2}, {8, 11}}));
@@ -55,7 +55,7 @@ QPainterPath loop(bool with_centre) {
   return path;
 }
 
-/// A polyline with its corners, which becomes a curve.
+/// A polyline with its corners, for "from other lines".
 QPainterPath from() {
   QPainterPath path = polygon({{2, 12}, {6, 5}, {10, 10}, {14, 3}});
   for (const QPointF& corner : {QPointF(2, 12), QPointF(6, 5), QPointF(10, 10), QPointF(14, 3)}) {
@@ -89,7 +89,7 @@ QPainterPath pin() {
   return path;
 }
 
-/// A curve with another one beside it.
+/// A curve with another curve beside it.
 QPainterPath band() {
   QPainterPath path(QPointF(2, 10));
   path.cubicTo(5, 4, 8, 12, 14, 5);
@@ -136,7 +136,7 @@ QPainterPath path_of(Sign sign) {
 }
 
 QPixmap drawn(const QPainterPath& path, const QColor& colour) {
-  constexpr int kScale = 2;  // for screens with small pixels
+  constexpr int kScale = 2;  // icons are drawn larger, for screens with small pixels
   QPixmap pixmap(16 * kScale, 16 * kScale);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);

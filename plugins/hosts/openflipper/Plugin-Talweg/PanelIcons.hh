@@ -1,4 +1,4 @@
-// Panel icons are small drawings in the colour of the panel's text.
+// Small icons in the colour of the panel's text.
 #pragma once
 
 #include <QIcon>

@@ -21,7 +21,7 @@ std::optional<double> own(bool set, double value) {
   return set ? std::optional<double>(value) : std::nullopt;
 }
 
-/// What takes a moment and is waited for.
+/// Runs short work while the mouse pointer shows that the program is busy.
 void use(Session* session, const std::function<void(Session&)>& work) {
   if (session == nullptr) return;
   QApplication::setOverrideCursor(Qt::WaitCursor);
@@ -164,7 +164,7 @@ void PanelLink::connect_look() {
   });
 }
 
-// ---- What is shown
+// ---- Display
 
 void PanelLink::show(const QString& hint) {
   PanelState state;
@@ -231,7 +231,7 @@ LookState PanelLink::look_state(const Session& session) {
   return state;
 }
 
-// ---- From elsewhere, and to files
+// ---- Curves from other objects, and files
 
 void PanelLink::from_lines() {
   Session* session = sessions_.target();

@@ -1,4 +1,5 @@
-// The panel link carries what a person does in the panel to the drawings, and shows them there.
+// Applies the user's commands in the panel to the drawings, and shows the drawings' state in the
+// panel.
 #pragma once
 
 #include <QObject>
@@ -13,9 +14,9 @@ class PanelLink : public QObject {
  public:
   PanelLink(Sessions& sessions, DrawingHand& hand, HostCalls& host);
 
-  /// It becomes the host's, which shows it.
+  /// The host takes ownership and shows the panel.
   [[nodiscard]] TalwegPanel* panel() const { return panel_; }
-  /// How the drawing is that is worked on. `hint`: what a click would do.
+  /// Shows the state of the current drawing. `hint` tells the effect of a click.
   void show(const QString& hint);
 
  signals:
@@ -31,7 +32,7 @@ class PanelLink : public QObject {
   static void show_session(const Session& session, PanelState& state);
   static void show_results(const Session& session, PanelState& state);
   void from_lines();
-  static QString kinds();  // of files
+  static QString kinds();  // of files, for dialogs
   void read();
   void write(bool result);
 

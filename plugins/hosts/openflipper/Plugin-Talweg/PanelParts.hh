@@ -1,4 +1,4 @@
-// Panel parts are made alike everywhere in the panel.
+// Widgets and layouts that the panel's parts share.
 #pragma once
 
 #include <QHBoxLayout>
@@ -11,10 +11,10 @@
 
 namespace talweg::openflipper {
 
-/// An icon with its text, as wide as there is room.
+/// A button with an icon and a text, as wide as the layout allows.
 QToolButton* make_button(QWidget* parent, const QString& name, Sign sign, const QString& text,
                          const QString& tip);
-/// Buttons side by side, equally wide.
+/// Buttons side by side, of equal width.
 QHBoxLayout* row_of(std::initializer_list<QWidget*> widgets);
 /// A column with small gaps.
 QVBoxLayout* tight(QWidget* parent);

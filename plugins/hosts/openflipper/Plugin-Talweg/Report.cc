@@ -137,7 +137,7 @@ QString whole_report(const Session& session) {
   QStringList lines;
   const host::Results& results = session.results();
   for (const host::ReportEntry& entry : results.report) {
-    // Of a single curve the entries for all curves say the same.
+    // With a single curve, entries for all curves repeat the curve's entries.
     const bool said = results.curves.size() == 1 && entry.curve == 0 && results.find(entry.key);
     if (said) continue;
     QStringList values;

@@ -1,4 +1,4 @@
-// A report is what is told of the results of a session.
+// Texts about the results of a session.
 #pragma once
 
 #include <QString>
@@ -12,21 +12,21 @@ namespace talweg::openflipper {
 
 class Session;
 
-/// As the panel writes it.
+/// Units as the panel writes them.
 QString length_unit();
 QString curvature_unit();
-/// How far result and drawing lie apart, either way; `curve` -1: of all curves.
+/// The distance between result and drawing, either way; `curve` -1: of all curves.
 QString farthest_apart(const host::Results& results, int curve);
-/// The warnings by which the result may be of no use.
+/// The decisive warnings, by which the result may be of no use.
 QStringList decisive_sentences(const host::Results& results, int curve);
 /// A line for the log.
 QString short_report(const Session& session);
-/// What the panel shows of the results: the numbers, a line, with which settings, and the warnings.
+/// Texts of the panel: the numbers, a line on the result, the settings, and the warnings.
 std::vector<ResultRow> result_rows(const Session& session);
 QString result_summary(const Session& session);
 QString result_settings(const Session& session);
 QStringList result_notes(const Session& session);
-/// Everything that was measured, "key = value" or "curve.key = value", one a line.
+/// All measures, "key = value" or "curve.key = value", one on each line.
 QString whole_report(const Session& session);
 
 }  // namespace talweg::openflipper

@@ -74,7 +74,7 @@ int ResultLines::add(const QString& name, std::uint32_t number) {
   if (PolyLineObject* made = PluginFunctions::polyLineObject(id)) {
     const ACG::Vec4f colour = colour_of_curve(number);
     made->materialNode()->set_color(colour);
-    // The host draws lines in the sum of these two.
+    // The host draws lines in the sum of these two colours.
     made->materialNode()->set_ambient_color(colour * 0.5f);
     made->materialNode()->set_diffuse_color(colour * 0.5f);
     made->materialNode()->set_point_size(1.0f);

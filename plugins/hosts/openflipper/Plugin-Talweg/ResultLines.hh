@@ -1,4 +1,4 @@
-// The result lines are the smoothed curves as objects of the host, one polyline for each.
+// The smoothed curves as objects of the host, a polyline for each curve.
 #pragma once
 
 #include <QString>
@@ -15,28 +15,28 @@ class ResultLines {
  public:
   ResultLines(HostCalls& host, const QString& mesh_name) : host_(host), mesh_name_(mesh_name) {}
 
-  /// Each curve keeps its line, whichever others come and go. `numbers`: those of the curves in the
-  /// drawing.
+  /// Updates the lines. A curve keeps its line when other curves are added or removed. `numbers`
+  /// are the numbers of the curves in the drawing.
   void show(const TriMesh& mesh, const std::vector<host::Curve>& curves,
             const std::vector<std::uint32_t>& numbers, const editing::Drawing& drawing);
-  /// The line of the curve with that number is thicker than the others; 0: none is.
+  /// Makes the line of the curve with this number thicker than the others; 0: no line.
   void select(std::uint32_t number);
   /// Deviations as colours along the lines.
   void show_deviations(bool with);
-  /// What the last colour stands for, mesh units.
+  /// The value of the last colour, mesh units.
   [[nodiscard]] double largest_deviation() const { return largest_deviation_; }
 
-  /// Of the host's objects; in the order of the results.
+  /// Ids of the host's objects, in the order of the results.
   [[nodiscard]] std::vector<int> ids() const;
   [[nodiscard]] bool has(int id) const;
-  /// If that object, which a person has deleted, was a line: the number of its curve.
+  /// The number of the curve whose line was this deleted object; nothing if it was none.
   std::optional<std::uint32_t> was_deleted(int id);
 
  private:
   struct Line {
-    int id;                // of the host's object
-    std::uint32_t number;  // of the curve that it shows
-    QString name;          // as it was given
+    int id;                // id of the host's object
+    std::uint32_t number;  // number of the curve
+    QString name;          // the user's name of the curve
   };
 
   void keep(const std::vector<std::uint32_t>& numbers, const editing::Drawing& drawing);

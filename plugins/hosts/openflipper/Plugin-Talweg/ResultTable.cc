@@ -16,7 +16,7 @@ QString three_digits(double value) {
   if (!std::isfinite(value)) return QString::fromUtf8("–");
   if (value == 0) return QLocale().toString(0);
   const int digits = 2 - static_cast<int>(std::floor(std::log10(std::abs(value))));
-  constexpr int kMostDigits = 8;  // more would not fit beside others
+  constexpr int kMostDigits = 8;  // a longer number would not fit into its column
   if (digits > kMostDigits) return QLocale().toString(value, 'g', 3);
   return QLocale().toString(value, 'f', std::max(digits, 0));
 }

@@ -1,4 +1,4 @@
-// The result table holds a few numbers of the drawing beside those of the smoothed curves.
+// A table of a few measures, before and after smoothing.
 #pragma once
 
 #include <QLabel>
@@ -16,7 +16,7 @@ class ResultTable : public QWidget {
   Q_OBJECT
  public:
   explicit ResultTable(QWidget* parent);
-  /// Without rows it is hidden.
+  /// Shows the rows; without rows the table is hidden.
   void show_rows(const std::vector<ResultRow>& rows);
 
  private:
@@ -24,9 +24,10 @@ class ResultTable : public QWidget {
   std::vector<QLabel*> cells_;
 };
 
-/// Three significant digits, without exponent from 1e-6 on; a dash for what is not finite.
+/// Three significant digits, without an exponent from 1e-6 on; a dash for a value that is not
+/// finite.
 QString three_digits(double value);
-/// Of an angle: what is no more than a rounding is 0.
+/// The same for an angle; an angle within rounding errors is 0.
 QString three_digits_of_degrees(double value);
 
 }  // namespace talweg::openflipper

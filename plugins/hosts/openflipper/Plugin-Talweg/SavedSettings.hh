@@ -1,4 +1,4 @@
-// Saved settings last from one start of the host to the next.
+// Settings that are kept when the host ends.
 #pragma once
 
 #include <QString>
@@ -7,7 +7,8 @@
 
 namespace talweg::openflipper {
 
-/// Those of a new drawing. Without a window nothing is saved: a script says what it wants.
+/// The settings of a new drawing. Without a window nothing is saved, so that a script always begins
+/// with the defaults.
 editing::Settings saved_settings();
 void save_settings(const editing::Settings& settings);
 
@@ -15,7 +16,7 @@ void save_settings(const editing::Settings& settings);
 bool saved_points();
 void save_points(bool shown);
 
-/// Where a person reads and writes files.
+/// The folder of the last file that the user read or wrote.
 QString saved_folder();
 void save_folder(const QString& folder);
 

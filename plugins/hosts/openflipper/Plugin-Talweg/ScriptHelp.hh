@@ -1,4 +1,4 @@
-// The script help is what the host's script window says of the plugin's functions.
+// The description of the plugin's functions for the host's script window.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@ namespace talweg::openflipper {
 struct ScriptSlot {
   const char* slot;
   QString what;
-  const char* parameters;  ///< separated by ';', as their meanings
+  const char* parameters;  ///< names and meanings, separated by ';'
   QString meanings;
 };
 

@@ -13,7 +13,7 @@
 namespace talweg::openflipper {
 namespace {
 
-constexpr double kPatienceMs = 2000;  // with a task that was cancelled
+constexpr double kPatienceMs = 2000;  // time for a cancelled task to end
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(Session)
@@ -21,7 +21,7 @@ struct Words {
 
 QString in_words(const std::string& text) { return QString::fromStdString(text); }
 
-/// Sliders need a length.
+/// The length, or 1 instead of 0, since sliders need a length.
 double or_one(double length) { return length > 0 ? length : 1; }
 
 }  // namespace
@@ -65,7 +65,8 @@ void Session::repair() {
 
 // ---- Edits
 
-/// A curve that has come is the selected one, and the last one is where that has gone.
+/// Selects a curve that an edit has added. After an edit that has removed curves, selects the last
+/// curve if the selected one is gone.
 void Session::select_after(std::size_t curves_before) {
   const auto& curves = drawing().curves;
   const bool gone = selected_ != 0 && !selected();
@@ -123,7 +124,7 @@ void Session::begin_gesture(const char* name, bool preview) {
 void Session::end_gesture() {
   if (!in_gesture()) return;
   now_.editor.history().end_gesture();
-  requests_.asked_already({});  // once more, for the log
+  requests_.asked_already({});  // smooth again, so that the log gets the result
   after_edit();
 }
 
@@ -168,7 +169,7 @@ void Session::add_line(const PolyLine& line) { add_curves({positions_of(line)});
 
 namespace {
 
-/// A curve that says where on the mesh it is; nothing for one of positions.
+/// The curve as vertices or points of faces; nothing for a curve of positions only.
 std::optional<editing::Curve> curve_on(const editing::MeshArrays& mesh, const host::Curve& given) {
   editing::Curve curve;
   curve.closed = given.closed;
@@ -290,13 +291,13 @@ void Session::take() {
 void Session::take(Answer answer) {
   editing::Outcome& outcome = answer.outcome;
   const bool drawn = outcome.task == editing::Task::kDraw || outcome.task == editing::Task::kLeg;
-  if (outcome.task != editing::Task::kSmooth && !drawn) {  // those are in the report
+  if (outcome.task != editing::Task::kSmooth && !drawn) {  // others report them
     for (const std::string& note : outcome.notes) host_.say(in_words(note));
   }
   if (outcome.task == editing::Task::kOpen) take_opened(outcome);
   if (outcome.status == TALWEG_CANCELLED) return;
   if (outcome.status != TALWEG_OK) {
-    if (!drawn) fail(work_error_, in_words(outcome.sentence));  // smoothing says the same
+    if (!drawn) fail(work_error_, in_words(outcome.sentence));  // smoothing reports the same error
     return;
   }
   switch (outcome.task) {
@@ -346,10 +347,11 @@ void Session::leave_what_never_ends() {
                "given up; the mesh is opened again.")
            .arg(editing::plugin_of(progress.task)));
   open();
-  requests_.asked_already(drawing());  // what never ended is not begun again by itself
+  requests_.asked_already(drawing());  // a task that did not end is not started again without a new
+                                       // edit
 }
 
-// ---- What is shown
+// ---- Display
 
 void Session::show_results(host::Results results, std::vector<std::uint32_t> numbers, bool newest) {
   results_ = std::move(results);
@@ -440,7 +442,7 @@ std::optional<editing::Point> Session::seen(const ACG::Vec3d& eye, const ACG::Ve
 
 bool Session::is_hidden(const editing::Point& point, const ACG::Vec3d& eye) const {
   if (!object_.visible()) return false;
-  // The thread may not be there yet.
+  // The thread may not have made it yet.
   if (!sight_) sight_ = std::make_shared<const editing::Sight>(now_.arrays);
   return sight_->is_hidden(point, {eye[0], eye[1], eye[2]});
 }
@@ -502,8 +504,8 @@ bool Session::offset(const Offset& how, std::vector<int>& lines) {
   });
 }
 
-/// The drawing as it is on the mesh after a cut. Its history begins anew: states before belong to
-/// the mesh before, and come back with it.
+/// Moves the drawing to the cut mesh. The history begins anew: earlier states belong to the mesh
+/// before the cut, and are restored with that mesh.
 void Session::go_over(const AppliedPlan& plan) {
   editing::Drawing there = drawing();
   for (auto& curve : there.curves) {
@@ -517,7 +519,7 @@ void Session::go_over(const AppliedPlan& plan) {
   mesh_is_another();
 }
 
-/// Goes back to the drawing on that mesh, if there was one.
+/// Restores the drawing of this mesh, if there was one.
 bool Session::go_back_to(const editing::MeshArrays& mesh) {
   const auto other = std::find_if(others_.begin(), others_.end(),
                                   [&mesh](const OnMesh& other) { return *other.arrays == mesh; });
@@ -527,7 +529,8 @@ bool Session::go_back_to(const editing::MeshArrays& mesh) {
   return true;
 }
 
-/// The host's list of undo belongs to the line of the drawing, so that begins anew, too.
+/// Replaces the drawing's line, which has the host's list for undo, so that the list begins anew,
+/// too.
 void Session::mesh_is_another() {
   const int before = line_.begin_anew(editor().history());
   if (before >= 0) to_remove_.push_back(before);
@@ -558,7 +561,7 @@ void Session::mesh_updated() {
 }
 
 void Session::object_deleted(int object_id) {
-  if (line_.was_deleted(object_id)) {  // shows the last curve
+  if (line_.was_deleted(object_id)) {  // the line shows the last curve
     if (!drawing().curves.empty()) deleted_.push_back(drawing().curves.back()->number);
   } else if (const auto number = lines_.was_deleted(object_id)) {
     deleted_.push_back(*number);
@@ -568,7 +571,7 @@ void Session::object_deleted(int object_id) {
   host_.wake();
 }
 
-/// Not while the host deletes, since an edit may add objects.
+/// Removes objects after the host's own deletion has ended, since an edit may add objects.
 void Session::remove_deleted() {
   for (const int id : std::exchange(to_remove_, {})) host_.remove_object(id);
   if (deleted_.empty()) return;

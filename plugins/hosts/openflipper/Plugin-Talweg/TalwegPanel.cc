@@ -43,7 +43,7 @@ QToolButton* TalwegPanel::button(const QString& name, Sign sign, const QString& 
 QWidget* TalwegPanel::make_head() {
   auto* head = new QWidget(this);
   mesh_ = new QLabel(head);
-  mesh_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names are cut
+  mesh_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // long names are cut off
   problem_ = wrapped("talwegProblem", head);
   problem_->setStyleSheet("color: #b00000");
   repair_ = button("Repair", Sign::kTool, tr("Repair"),
@@ -129,7 +129,7 @@ QGroupBox* TalwegPanel::make_shape_group() {
   return group;
 }
 
-/// What the drawing is taken for.
+/// Rows for the interpretation of the drawing as clicks or strokes.
 void TalwegPanel::make_taking(QGridLayout* grid, QWidget* group) {
   clicks_ = new NumberRow({"talwegClicks", tr("One click"),
                            tr("Clicks that follow each other within this distance are one, in mesh "

@@ -1,5 +1,5 @@
-// The panel is the toolbox: buttons, sliders, results. It knows the drawing only through its
-// signals and show().
+// The panel in the toolbox: buttons, sliders, results. Its signals and show() are its only link to
+// the drawing.
 #pragma once
 
 #include <QCheckBox>
@@ -26,9 +26,9 @@ namespace talweg::openflipper {
 struct PanelState {
   QString mesh;  ///< empty: none
   editing::Settings settings;
-  double scale = 1;           ///< of lengths: the largest that sliders offer, mesh units
-  double slack_used = -1;     ///< in the result that is shown; negative: none
-  double deviation_now = -1;  ///< likewise
+  double scale = 1;           ///< largest length of the sliders, mesh units
+  double slack_used = -1;     ///< slack of the shown result; negative: none
+  double deviation_now = -1;  ///< deviation of the shown result; negative: none
   double mean_edge = 1;       ///< of the mesh
   bool drawing_mode = false;
   bool unfinished = false;
@@ -37,13 +37,13 @@ struct PanelState {
   CurvesState curves;
   bool all_clicked = false;
   LookState look;
-  std::vector<ResultRow> rows;  ///< none: nothing is smoothed
+  std::vector<ResultRow> rows;  ///< empty: no result
   QString summary;              ///< one line on the result
-  QString summary_tip;          ///< with which settings
-  QStringList notes;            ///< what is to be known of it
-  QString hint;                 ///< what a click would do
-  QString problem;              ///< why nothing can be drawn on the mesh; empty: nothing is wrong
-  QStringList repair_told;      ///< what a repair would do; empty: there is none
+  QString summary_tip;          ///< settings of the result
+  QStringList notes;            ///< warnings about the result
+  QString hint;                 ///< the effect of a click
+  QString problem;              ///< why curves cannot be drawn on the mesh; empty: they can
+  QStringList repair_told;      ///< changes that a repair would make; empty: no repair helps
 };
 
 class TalwegPanel : public QWidget {
@@ -51,9 +51,9 @@ class TalwegPanel : public QWidget {
  public:
   explicit TalwegPanel(QWidget* parent = nullptr);
   void show_state(const PanelState& state);
-  /// The part with the curves, and its signals.
+  /// The box with the curves, and its signals.
   [[nodiscard]] const CurvesBox* curves() const { return curves_; }
-  /// The part that says how curves look, and its signals.
+  /// The box for the looks of curves, and its signals.
   [[nodiscard]] const LookBox* look() const { return look_; }
   void show_progress(bool busy, const QString& stage, int percent);
 

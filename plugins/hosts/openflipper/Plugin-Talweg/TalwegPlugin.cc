@@ -16,10 +16,10 @@ namespace editing = talweg::editing;
 
 namespace {
 
-/// Indices of scripts, where -1 is one that is not there.
+/// An index from a script, where -1 stands for none.
 std::size_t index(int i) { return i < 0 ? SIZE_MAX : static_cast<std::size_t>(i); }
 
-/// Of scripts, where a negative number is none.
+/// A value from a script, where a negative number stands for none.
 std::optional<double> own(double value) {
   return value < 0 ? std::nullopt : std::optional<double>(value);
 }

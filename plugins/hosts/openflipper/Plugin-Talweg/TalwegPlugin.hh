@@ -1,11 +1,12 @@
-// This is the plugin: what scripts can call. The rest is in the parts that the host link wires.
+// The plugin with the functions for scripts. All other work is in the parts that the host link
+// connects.
 #pragma once
 
 #include <OpenFlipper/BasePlugin/ScriptInterface.hh>
 
 #include "HostLink.hh"
 
-/// Slots of a base class would be no functions of the host's scripts.
+/// Slots of a base class would not become functions of the host's scripts.
 class TalwegPlugin : public talweg::openflipper::HostLink, public ScriptInterface {
   Q_OBJECT
   Q_INTERFACES(ScriptInterface)
@@ -23,7 +24,7 @@ class TalwegPlugin : public talweg::openflipper::HostLink, public ScriptInterfac
   QString version() { return QString("0.2.0"); }
   void noguiSupported() {}
 
-  // Objects by their ids. ScriptHelp describes them to the host.
+  // Objects are given by their ids. ScriptHelp describes the functions to the host.
   bool draw(int meshId, IdList vertices, bool closed);
   bool addPoint(int meshId, int face, Vector barycentric);
   bool finishCurve(int meshId);
@@ -81,6 +82,6 @@ class TalwegPlugin : public talweg::openflipper::HostLink, public ScriptInterfac
   using Session = talweg::openflipper::Session;
 
   bool edit(int mesh_id, const std::function<void(talweg::editing::Editor&)>& change);
-  /// The drawing on a mesh with all results, where there is one; null, where there is none.
+  /// The drawing on a mesh, after the thread has answered; null if there is none.
   Session* done(int mesh_id);
 };

@@ -11,8 +11,8 @@
 namespace talweg::openflipper {
 namespace {
 
-constexpr double kReach = 8;      // pixels, of points
-constexpr double kLineReach = 5;  // of curves
+constexpr double kReach = 8;      // pixels, for points
+constexpr double kLineReach = 5;  // pixels, for curves
 
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(UnderMouse)
@@ -30,13 +30,13 @@ editing::Pixel on_screen(ACG::GLState& view, const ACG::Vec3d& place) {
   return {s[0], view.context_height() - s[1]};
 }
 
-/// Where one looks from to see that place, on the near plane.
+/// The point on the near plane from which the place is seen.
 ACG::Vec3d eye_for(ACG::GLState& view, const ACG::Vec3d& place) {
   const ACG::Vec3d s = view.project(place);
   return view.unproject(ACG::Vec3d(s[0], s[1], 0));
 }
 
-/// What is near the mouse, by how far away it is.
+/// An object near the mouse, with its distance.
 template <class What>
 struct Candidate {
   double away;  // pixels
@@ -51,7 +51,7 @@ void nearest_first(std::vector<Candidate<What>>& candidates) {
 
 }  // namespace
 
-/// Whether the mouse can meet nothing but the mesh that is worked on.
+/// Whether no object other than the mesh of the current drawing can be under the mouse.
 bool UnderMouse::is_alone() const {
   const Session* session = sessions_.now();
   const int mesh = sessions_.mesh_now();

@@ -1,4 +1,4 @@
-// What is under the mouse: a place on a mesh, a drawn point, a curve.
+// Finds the object under the mouse: a place on a mesh, a drawn point, or a curve.
 #pragma once
 
 #include <QPoint>
@@ -15,29 +15,28 @@ struct Handle {
 
 struct CurvePlace {
   std::size_t curve;
-  const host::Curve* line;  ///< on which it was met; until the session changes
-  std::size_t segment;      ///< of that
+  const host::Curve* line;  ///< the picked line; valid until the session changes
+  std::size_t segment;      ///< segment of the line
 };
 
 struct Picked {
   Session* session;
-  std::optional<editing::Point> point;  ///< none: beside the mesh
+  std::optional<editing::Point> point;  ///< empty: beside the mesh
 };
 
 class UnderMouse {
  public:
   UnderMouse(Sessions& sessions, HostCalls& host) : sessions_(sessions), host_(host) {}
 
-  /// The point on the mesh that is drawn on or, where it is not `held` and nothing is drawn now, on
-  /// any target; nothing beside all of them.
+  /// The point under the mouse, on the mesh of the current drawing; if the mouse is not `held` and
+  /// no curve is being drawn, on any target. Empty beside all of them.
   std::optional<Picked> picked(const QPoint& at, bool held);
-  /// The same by the tree of triangles of the mesh that is worked on, where that is the only thing
-  /// that the mouse can meet. The host draws its whole scene to tell.
+  /// The same by the search tree of the current mesh, if nothing else can be under the mouse. The
+  /// host would have to draw its whole scene.
   std::optional<Picked> picked_by_us(const QPoint& at);
-  /// The drawn point within a few pixels, the nearest one that can be seen.
+  /// The nearest visible drawn point within a few pixels.
   [[nodiscard]] std::optional<Handle> handle(const QPoint& at) const;
-  /// The curve within a few pixels, as it is smoothed or as it was drawn, the nearest one that can
-  /// be seen there.
+  /// The nearest visible curve within a few pixels, smoothed or as drawn.
   [[nodiscard]] std::optional<CurvePlace> curve(const QPoint& at) const;
 
  private:

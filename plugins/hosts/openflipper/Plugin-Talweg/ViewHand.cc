@@ -23,7 +23,7 @@ bool ViewHand::take(QObject* viewer, QEvent* event) {
       return take_move(viewer, *static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease:
       return take_release(viewer, *static_cast<QMouseEvent*>(event));
-    case QEvent::ContextMenu:  // comes with the press; a click without a movement sends it again
+    case QEvent::ContextMenu:  // sent with the press; a click without movement sends it again
       return held_ == Qt::RightButton;
     default:
       return false;

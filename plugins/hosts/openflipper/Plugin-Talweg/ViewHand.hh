@@ -1,5 +1,5 @@
-// The view hand turns, moves and zooms the view while a curve is drawn, when the host gives the
-// mouse to the plugin: as the host itself does, but turning is on the right button.
+// Turns, moves and zooms the view while a curve is drawn and the host passes the mouse to the
+// plugin: as the host does, except that the right button turns.
 #pragma once
 
 #include <QEvent>
@@ -12,12 +12,12 @@ namespace talweg::openflipper {
 
 class ViewHand {
  public:
-  /// `examine` gives the mouse to the host's own navigation (true), or back to the plugin.
+  /// `examine` passes the mouse to the host's own navigation (true), or back to the plugin (false).
   explicit ViewHand(std::function<void(bool)> examine) : examine_(std::move(examine)) {}
 
-  /// To be asked of every event of a viewer while curves are drawn; true where the event was taken.
+  /// Must get every event of a viewer while curves are drawn; true if the event was used.
   bool take(QObject* viewer, QEvent* event);
-  /// Whether the host has the mouse now.
+  /// Whether the host has the mouse.
   [[nodiscard]] bool holds() const { return held_ != Qt::NoButton; }
 
  private:
@@ -30,8 +30,8 @@ class ViewHand {
   std::function<void(bool)> examine_;
   Qt::MouseButton held_ = Qt::NoButton;
   QPoint pressed_;
-  bool turns_ = false;    // the right button has moved
-  bool passing_ = false;  // the event is sent by this object
+  bool turns_ = false;    // whether the mouse has moved with the right button pressed
+  bool passing_ = false;  // whether the event was sent by this object
 };
 
 }  // namespace talweg::openflipper

@@ -1,4 +1,4 @@
-# The plugin against an OpenFlipper that was built elsewhere.
+# Builds the plugin for an OpenFlipper that was built elsewhere.
 set(OPENFLIPPER_SOURCE_DIR "" CACHE PATH "OpenFlipper's sources")
 set(OPENFLIPPER_BUILD_DIR "" CACHE PATH "OpenFlipper's build folder")
 set(OPENFLIPPER_QT_VERSION 5 CACHE STRING "5 for OpenFlipper 4.x, 6 for 5.x")
@@ -54,7 +54,7 @@ file(GLOB sources CONFIGURE_DEPENDS *.cc *.hh talweg.qrc)
 include(translations.cmake)
 host_plugin(Plugin-Talweg ${sources} ${translations})
 target_link_libraries(Plugin-Talweg PRIVATE talweg::editing)
-# With -Wall gcc 12 warns at -O2 of vectors of bytes in OpenMesh's own headers.
+# With -Wall, gcc 12 warns at -O2 about vectors of bytes in OpenMesh's headers.
 set_source_files_properties(MeshUse.cc PROPERTIES COMPILE_OPTIONS -Wno-maybe-uninitialized)
 if(TALWEG_BUILD_PROBE)
   file(GLOB sources CONFIGURE_DEPENDS ../../../../tests/hosts/openflipper/Plugin-TalwegProbe/*.*)

@@ -1,5 +1,5 @@
-# Builds the translations into the plugin: sets `translations` to a source file with them, or to
-# nothing where Qt's tools are missing. A host with Qt 5 does not build those of its plugins.
+# Builds the translations into the plugin: sets `translations` to a source file with the translations, or to
+# nothing if Qt's tools are missing. A host with Qt 5 does not build the translations of its plugins.
 find_program(TALWEG_LRELEASE NAMES lrelease lrelease-qt5 HINTS /usr/lib/qt6/bin /usr/lib/qt5/bin)
 find_program(TALWEG_RCC NAMES rcc rcc-qt5 HINTS /usr/lib/qt6/libexec /usr/lib/qt5/bin)
 set(translations "")

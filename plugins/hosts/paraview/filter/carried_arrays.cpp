@@ -19,12 +19,12 @@ namespace {
 using Ids = std::vector<vtkIdType>;
 
 bool is_colour(const vtkAbstractArray& array) {
-  auto& a = const_cast<vtkAbstractArray&>(array);  // its getters are not const
+  auto& a = const_cast<vtkAbstractArray&>(array);  // the getters are not const
   return a.GetDataType() == VTK_UNSIGNED_CHAR &&
          (a.GetNumberOfComponents() == 3 || a.GetNumberOfComponents() == 4);
 }
 
-/// Between the corners, not that of the nearest.
+/// Whether new values are interpolated between the corners, rather than copied from the nearest.
 bool is_linear(vtkAbstractArray& array) {
   std::string name = array.GetName() == nullptr ? "" : array.GetName();
   std::transform(name.begin(), name.end(), name.begin(),
@@ -56,12 +56,12 @@ vtkSmartPointer<vtkAbstractArray> like(vtkAbstractArray& array, std::size_t coun
 
 void fill(vtkAbstractArray& array, vtkIdType row) {
   auto* numbers = vtkDataArray::SafeDownCast(&array);
-  if (numbers == nullptr) return;  // an empty text is there
+  if (numbers == nullptr) return;  // new texts are already empty
   const double value = is_colour(array) ? 255 : 0;
   for (int k = 0; k < array.GetNumberOfComponents(); ++k) numbers->SetComponent(row, k, value);
 }
 
-/// Those from nowhere are filled.
+/// Copies rows; a row without a source (-1) gets the fill value.
 void copy_rows(vtkAbstractArray& from, const Ids& sources, vtkAbstractArray& to) {
   vtkNew<vtkIdList> source, target;
   for (std::size_t k = 0; k < sources.size(); ++k) {
@@ -85,7 +85,7 @@ void make_unit(vtkDataArray& array, vtkIdType row) {
   array.SetTuple(row, x);
 }
 
-/// The rows that lie between others.
+/// Interpolates the rows of vertices that lie between others.
 void interpolate_rows(vtkAbstractArray& from, const host::Origin& origin, bool directions,
                       vtkAbstractArray& to) {
   vtkNew<vtkIdList> corners;
@@ -104,7 +104,7 @@ void interpolate_rows(vtkAbstractArray& from, const host::Origin& origin, bool d
   }
 }
 
-/// The corner that each vertex is nearest to, the first of equals; -1: it comes from nowhere.
+/// For each vertex the corner of largest weight, the first of equals; -1: the vertex has no origin.
 Ids nearest_corners(const host::Origin& origin) {
   Ids result;
   for (std::size_t v = 0; v < origin.vertices.size(); ++v) {
@@ -116,7 +116,7 @@ Ids nearest_corners(const host::Origin& origin) {
   return result;
 }
 
-/// What is active (the scalars, the normals, ...) is so in the other, too.
+/// Makes the same arrays active (as scalars, normals, ...) in the other data set.
 void copy_active(vtkDataSetAttributes& from, vtkDataSetAttributes& to) {
   for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type) {
     vtkAbstractArray* active = from.GetAbstractAttribute(type);

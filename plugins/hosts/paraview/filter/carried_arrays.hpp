@@ -1,5 +1,5 @@
-// Arrays of ParaView are carried to a mesh that a plugin made, by where it comes from. They are of
-// every type that ParaView has, texts too.
+// Copies ParaView's arrays to a mesh that a plugin made, by the origin of its elements. All types
+// of arrays are copied, texts too.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,14 @@ class vtkDataSetAttributes;
 
 namespace talweg::paraview {
 
-/// In new points real numbers are between those of the corners, normals have length 1, colours (one
-/// byte for each of 3 or 4 components) are rounded; other whole numbers, texts, and arrays with
-/// "label" in their names have the nearest corner's. Points from nowhere have 0, or white.
+/// At new points real numbers are interpolated between the corners, normals are scaled to length 1,
+/// and colours (3 or 4 components of one byte) are rounded. Other whole numbers, texts, and arrays
+/// with "label" in their names are copied from the nearest corner. Points without an origin get 0,
+/// or white.
 void carry_points(vtkDataSetAttributes& from, const host::Origin& origin, vtkDataSetAttributes& to);
 
-/// `sources`: the cell that each new one is a part of; -1: it comes from nowhere, and has 0, or
-/// white.
+/// `sources` has the old cell that each new cell is a part of; -1: the cell has no origin, and gets
+/// 0, or white.
 void carry_cells(vtkDataSetAttributes& from, const std::vector<vtkIdType>& sources,
                  vtkDataSetAttributes& to);
 

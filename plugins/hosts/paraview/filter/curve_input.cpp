@@ -21,7 +21,7 @@ namespace {
 
 using Line = std::vector<vtkIdType>;
 
-/// The lines of a data set; what only touches at its ends is one.
+/// The lines of a data set; lines that touch only at their ends are joined.
 std::vector<Line> lines_of(vtkPolyData& data) {
   vtkSmartPointer<vtkCellArray> cells = data.GetLines();
   if (cells->GetNumberOfCells() > 1) {
@@ -75,7 +75,7 @@ vtkDataArray* vertex_numbers_of(vtkPolyData& data, const std::string& name) {
   return array;
 }
 
-/// Whether a line ends where it begins: at the same point, vertex or place.
+/// Whether a line ends at its beginning: at the same point, vertex or place.
 bool closed(vtkPolyData& data, const Line& line, vtkDataArray* vertices) {
   if (line.size() < 2) return false;
   if (line.front() == line.back()) return true;

@@ -1,4 +1,4 @@
-// A curve input is a drawing as ParaView's users make it: lines, points, lists of vertex numbers.
+// Reads curves from the data sets of ParaView's users: lines, points, or lists of vertex indices.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ class vtkDataSet;
 
 namespace talweg::paraview {
 
-/// The data set itself, or those that a composite one has.
+/// The data set itself, or the leaves of a composite data set.
 std::vector<vtkDataSet*> data_sets_of(vtkDataObject& input);
 
-/// Each line of the data set, or of each block, is a curve, closed if it ends where it begins;
-/// segments are joined. Without lines all points in their order are one open curve. A point array
-/// `pin` says by what is not 0 which points stay, and a point array `exact` which are way-points
-/// (talweg_way_points.h). With the name of a point array the curves are of vertices, its values,
-/// instead of positions. Throws std::runtime_error for an array that is not there or holds no
-/// vertex numbers.
+/// Each line of the data set, or of each block, is a curve, closed if it ends at its first point;
+/// segments are joined. Without lines all points in their order are one open curve. A value other
+/// than 0 in a point array `pin` pins a point; a point array `exact` marks way-points
+/// (talweg_way_points.h). `vertex_array` names a point array of vertex indices, which are used
+/// instead of positions; empty: none. Throws std::runtime_error if there is no such array, or if it
+/// has no vertex indices.
 std::vector<host::Curve> curves_of(vtkDataObject& input, const std::string& vertex_array);
 
 /// A curve of vertices, closed if the first is repeated at the end.

@@ -28,9 +28,9 @@ namespace talweg::paraview {
 namespace {
 
 constexpr double kWidth = 4;                      // pixels
-constexpr double kColour[] = {0.86, 0.12, 0.08};  // seen on white, grey and blue
+constexpr double kColour[] = {0.86, 0.12, 0.08};  // visible on white, grey and blue
 
-/// The output with curves; -1 if the filter has none, or is not one of ours.
+/// The index of the output with curves; -1 if the filter has none, or is not a filter of Talweg.
 int curve_port(vtkSMProxy& filter) {
   int port = -1;
   vtkPVXMLElement* hints = filter.GetHints();
@@ -50,7 +50,8 @@ bool shows_curves(vtkSMProxy& representation) {
   return filter != nullptr && curve_port(*filter) == static_cast<int>(input.GetOutputPort());
 }
 
-/// By its width: of a line several pixels wide half would be behind a slope.
+/// Draws the line in front of the mesh by its own width: otherwise half of a line several pixels
+/// wide would be hidden by a slope.
 void bring_forward(vtkSMProxy& representation, vtkRenderer& renderer) {
   vtkObjectBase* object = representation.GetClientSideObject();
   if (auto* several = vtkCompositeRepresentation::SafeDownCast(object)) {
@@ -63,24 +64,25 @@ void bring_forward(vtkSMProxy& representation, vtkRenderer& renderer) {
   vtkBoundingBox(actor->GetBounds()).GetCenter(middle);
   const double width = vtkSMPropertyHelper(&representation, "LineWidth", true).GetAsDouble();
   const double units = forward_by(std::max(width, kWidth), middle, renderer);
-  // Of its two mappers its own function gives the one that has something to draw.
+  // The actor's own GetMapper() returns only the mapper that has data to draw.
   for (vtkMapper* mapper : {actor->vtkActor::GetMapper(), actor->GetLODMapper()}) {
     if (mapper != nullptr) mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, units);
   }
 }
 
-/// No tubes, half of which is below the mesh: ParaView draws lines in front of faces.
+/// Draws plain lines instead of tubes, half of which would be below the mesh: ParaView draws lines
+/// in front of faces.
 void dress(vtkSMProxy& representation) {
   if (representation.GetProperty("LineWidth") == nullptr) return;
   vtkSMPropertyHelper(&representation, "LineWidth").Set(kWidth);
   vtkSMPropertyHelper(&representation, "AmbientColor", true).Set(kColour, 3);
   vtkSMPropertyHelper(&representation, "DiffuseColor", true).Set(kColour, 3);
-  // ParaView takes over the array that the mesh is coloured by, where the curve would not be seen.
+  // By default ParaView would colour the curve like the mesh, so that it could not be seen.
   vtkSMPVRepresentationProxy::SetScalarColoring(&representation, "", vtkDataObject::POINT);
   representation.UpdateVTKObjects();
 }
 
-/// Before each picture, since it goes with the camera.
+/// Called before each picture, since the offset depends on the camera.
 void rendering(vtkObject* caller, unsigned long, void* manager, void*) {
   vtkNew<vtkSMProxyIterator> all;
   all->SetSessionProxyManager(static_cast<vtkSMSessionProxyManager*>(manager));
@@ -112,7 +114,7 @@ void registered(vtkObject* caller, unsigned long, void*, void* data) {
   if (manager == nullptr || info == nullptr || info->Proxy == nullptr) return;
   const std::string_view group = info->GroupName == nullptr ? "" : info->GroupName;
   if (group != "representations" || !shows_curves(*info->Proxy)) return;
-  // A state file says how curves look, but not this.
+  // A state file has the looks of its curves, but not the offset.
   if (!manager->GetInLoadXMLState()) dress(*info->Proxy);
   watch_views(*manager);
 }

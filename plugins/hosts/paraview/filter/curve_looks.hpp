@@ -1,13 +1,14 @@
-// How curves look when they are shown first: a white line of width 1 on a white mesh is not seen.
+// The first looks of curves: ParaView's default, a white line of width 1, cannot be seen on a white
+// mesh.
 #pragma once
 
 class vtkSMSessionProxyManager;
 
 namespace talweg::paraview {
 
-/// From now on each representation that is made for curves of Talweg is a wide line in a colour of
-/// its own. Its filter says by the hint <InitializationHelper curves="PORT"/> which output they
-/// are. What a state file or the user says of a line stays.
+/// Makes each later representation of Talweg's curves a wide line in a colour of its own. The hint
+/// <InitializationHelper curves="PORT"/> of a filter names its output with curves. Looks from a
+/// state file or from the user stay.
 void watch_curves(vtkSMSessionProxyManager& manager);
 
 }  // namespace talweg::paraview

@@ -1,4 +1,4 @@
-// How far lines and points are drawn before the mesh that they lie on.
+// The offset by which lines and points are drawn in front of the mesh on which they lie.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace talweg::paraview {
 
-/// VTK's offset of depth that brings what is at a place forward by so many pixels of the view, as
-/// long as they are there. A fixed one would show what is behind the mesh where the view's range of
-/// depth is long: near the mesh it begins at the camera.
+/// VTK's depth offset that moves a place towards the camera by the size of so many pixels at this
+/// place. A fixed offset would show parts behind the mesh if the view has a long range of depth:
+/// close to the mesh, the range begins at the camera.
 inline double forward_by(double pixels, const double place[3], vtkRenderer& renderer) {
   constexpr double kSteps = 65000;  // of the depth from 0 to 1, in VTK's shaders
   vtkCamera& camera = *renderer.GetActiveCamera();

@@ -28,7 +28,7 @@ std::vector<vtkIdType> corners_of(vtkCellArrayIterator& cell) {
   return {corners, corners + count};
 }
 
-/// Whether the fan from the first corner covers the polygon: none of its triangles is turned over.
+/// Whether the fan from the first corner covers the polygon: no triangle of the fan is inverted.
 bool fan_covers(vtkPoints& points, const std::vector<vtkIdType>& corners) {
   const auto at = [&](std::size_t k) {
     vtkVector3d p;
@@ -46,8 +46,8 @@ bool fan_covers(vtkPoints& points, const std::vector<vtkIdType>& corners) {
                       [&](const vtkVector3d& area) { return area.Dot(sum) < limit; });
 }
 
-/// The corners of triangles inside the polygon, one after the other; empty where VTK finds none, as
-/// in a polygon that crosses itself.
+/// The corners of triangles that fill the polygon, one after the other; empty if VTK finds none, as
+/// for a polygon that crosses itself.
 std::vector<vtkIdType> inside(vtkPoints& points, const std::vector<vtkIdType>& corners) {
   vtkNew<vtkPolygon> polygon;
   polygon->Initialize(static_cast<int>(corners.size()), corners.data(), &points);
@@ -73,7 +73,7 @@ vtkSmartPointer<vtkPolyData> polydata_of(vtkDataSet& input) {
 MeshInput::State MeshInput::state_of(vtkDataSet& input) {
   auto* polydata = vtkPolyData::SafeDownCast(&input);
   if (polydata == nullptr) return {&input, nullptr, nullptr, input.GetMTime()};
-  // Not the data set itself: pipelines hand the same geometry on in another one.
+  // The data set itself is not compared: pipelines pass the same geometry on in another data set.
   return {nullptr, polydata->GetPoints(), polydata->GetPolys(), polydata->GetMeshMTime()};
 }
 
@@ -127,7 +127,8 @@ void MeshInput::add_polygon(const std::vector<vtkIdType>& corners, vtkIdType cel
   }
   const vtkIdType count = surface_->GetNumberOfPoints();
   const bool known = std::all_of(corners.begin(), corners.end(),
-                                 [&](vtkIdType v) { return v >= 0 && v < count; });  // else refused
+                                 [&](vtkIdType v) { return v >= 0 && v < count; });  // otherwise
+                                                                                     // refused
   if (known && corners.size() > 3 && !fan_covers(*surface_->GetPoints(), corners)) {
     const std::vector<vtkIdType> triangles = inside(*surface_->GetPoints(), corners);
     for (std::size_t k = 0; k < triangles.size(); k += 3) {
@@ -141,7 +142,7 @@ void MeshInput::add_polygon(const std::vector<vtkIdType>& corners, vtkIdType cel
 
 void MeshInput::add_strip(const std::vector<vtkIdType>& corners, vtkIdType cell) {
   for (std::size_t k = 2; k < corners.size(); ++k) {
-    const std::size_t turned = k % 2;  // every second triangle of a strip is the other way round
+    const std::size_t turned = k % 2;  // the orientation of triangles in a strip alternates
     add(corners[k - 2 + turned], corners[k - 1 - turned], corners[k], cell);
   }
 }

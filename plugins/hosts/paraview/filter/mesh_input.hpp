@@ -1,4 +1,4 @@
-// A mesh input is a ParaView data set as a mesh of triangles.
+// A ParaView data set as a mesh of triangles.
 #pragma once
 
 #include <array>
@@ -15,18 +15,18 @@ class vtkDataSet;
 
 namespace talweg::paraview {
 
-/// The data set itself, if it is polydata, else its outer surface; points that lines and single
-/// points have stay.
+/// The data set itself if it is polydata, otherwise its outer surface; points of lines and single
+/// points stay.
 vtkSmartPointer<vtkPolyData> polydata_of(vtkDataSet& input);
 
 class MeshInput {
  public:
-  /// Takes the triangles of the data set: polygons as fans where these cover them, or cut inside by
-  /// VTK; strips cut. False if nothing but values of arrays has changed since the last call. Throws
-  /// std::runtime_error naming a face with fewer than three corners; what was known is forgotten
-  /// then.
+  /// Reads the triangles of the data set: polygons become fans if these cover them, or are
+  /// triangulated by VTK; strips are divided. False if only values of arrays have changed since the
+  /// last call. Throws std::runtime_error, which names a face, for a face with fewer than three
+  /// corners; the mesh is cleared then.
   bool update(vtkDataSet& input);
-  /// As if there had been no update().
+  /// Clears the mesh, so that the next update() reads everything.
   void forget();
 
   /// Valid until the next update(); the points are not copied if they are float or double.
@@ -41,10 +41,10 @@ class MeshInput {
   /// Point arrays of the mesh.
   [[nodiscard]] vtkPointData& arrays() const { return *surface_->GetPointData(); }
   [[nodiscard]] vtkCellData& cell_arrays() const { return *surface_->GetCellData(); }
-  /// The mesh's cell that each triangle is a part of.
+  /// For each triangle the cell of the data set that it is a part of.
   [[nodiscard]] const std::vector<vtkIdType>& cells() const { return cells_; }
   [[nodiscard]] vtkFieldData& other_arrays() const { return *surface_->GetFieldData(); }
-  /// What was done to get triangles; empty if nothing.
+  /// A sentence on how cells became triangles; empty if all were triangles.
   [[nodiscard]] const std::string& note() const { return note_; }
 
  private:
@@ -53,7 +53,7 @@ class MeshInput {
   void add_strip(const std::vector<vtkIdType>& corners, vtkIdType cell);
   void add(vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType cell);
 
-  /// What the geometry was when it was last looked at.
+  /// The identity and time of the geometry at the last update().
   struct State {
     const void* data = nullptr;
     const void* points = nullptr;
@@ -66,8 +66,8 @@ class MeshInput {
   State state_;
   vtkSmartPointer<vtkPolyData> surface_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<vtkIdType> cells_;  // of the surface, for each triangle
-  bool as_given_ = false;         // the surface's cells are these triangles
+  std::vector<vtkIdType> cells_;  // cell of the surface, for each triangle
+  bool as_given_ = false;         // whether the surface's cells are the triangles
   std::vector<double> converted_;
   std::string note_;
 };

@@ -23,7 +23,7 @@ vtkSmartPointer<vtkPoints> double_points() {
   return points;
 }
 
-/// The vertices of each curve's chain in their order, by their places.
+/// The vertices of a curve's chain, by their places.
 using Chain = std::map<std::uint32_t, std::array<double, 3>>;
 
 std::vector<Chain> chains_of(const std::vector<host::Mesh>& meshes,

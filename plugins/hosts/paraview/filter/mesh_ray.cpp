@@ -16,7 +16,7 @@ std::optional<std::array<double, 3>> MeshRay::meet(vtkDataSet& mesh,
                                                    const std::array<double, 3>& to) {
   if (mesh.GetNumberOfCells() == 0) return std::nullopt;
   if (locator_ == nullptr || mesh_ != &mesh || time_ != mesh.GetMTime()) {
-    surface_ = vtkSmartPointer<vtkPolyData>::New();  // a copy, which nobody else changes
+    surface_ = vtkSmartPointer<vtkPolyData>::New();  // a copy that no other filter changes
     surface_->ShallowCopy(polydata_of(mesh));
     mesh_ = &mesh;
     time_ = mesh.GetMTime();

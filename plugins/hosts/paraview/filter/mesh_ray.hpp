@@ -1,4 +1,4 @@
-// What the mouse meets on a mesh.
+// Intersects rays with a mesh, for the mouse.
 #pragma once
 
 #include <array>
@@ -13,11 +13,12 @@ class vtkStaticCellLocator;
 
 namespace talweg::paraview {
 
-/// Rays meet faces within so much of the mesh's diagonal: between two faces, or at a vertex, there
-/// is no gap that a rounded number falls into.
+/// Tolerance of a ray at a face, as a part of the mesh's diagonal. With it no ray passes between
+/// two faces, or at a vertex, because of rounding.
 constexpr double kNoGap = 1e-9;
 
-/// Finds where rays meet a mesh first. The search structure is kept while the mesh is the same.
+/// Finds the first point of a mesh on a ray. The search structure is kept while the mesh is the
+/// same.
 class MeshRay {
  public:
   MeshRay();
@@ -25,7 +26,8 @@ class MeshRay {
   MeshRay(const MeshRay&) = delete;
   MeshRay& operator=(const MeshRay&) = delete;
 
-  /// The first point between two places; empty if the mesh is not between them.
+  /// The first point on the segment between two places; empty if the segment does not meet the
+  /// mesh.
   [[nodiscard]] std::optional<std::array<double, 3>> meet(vtkDataSet& mesh,
                                                           const std::array<double, 3>& from,
                                                           const std::array<double, 3>& to);

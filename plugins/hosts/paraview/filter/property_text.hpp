@@ -1,4 +1,4 @@
-// Texts as ParaView's properties give them.
+// Texts of ParaView's properties.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace talweg::paraview {
 
 inline std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
-/// None: no array.
+/// The name of an array; empty for "None".
 inline std::string array_name(const char* text) {
   const std::string name = text_of(text);
   return name == "None" ? "" : name;

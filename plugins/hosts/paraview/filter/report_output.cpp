@@ -17,7 +17,7 @@
 namespace talweg::paraview {
 namespace {
 
-/// parts.0.faces: parts.faces.
+/// The key without indices of groups: parts.faces for parts.0.faces.
 std::string without_places(const std::string& key) {
   std::string result;
   for (std::size_t at = 0; at < key.size();) {
@@ -33,17 +33,17 @@ bool is_one_number(const host::ReportEntry& entry) {
   return entry.type != TALWEG_VALUE_TEXT && !entry.is_list && entry.numbers.size() == 1;
 }
 
-/// How a column of the table holds an entry.
+/// How a column of the table stores an entry.
 enum class Kind { kNone, kNumber, kPlace, kText };
 
 Kind kind_of(const host::ReportEntry& entry) {
-  if (without_places(entry.key) != entry.key) return Kind::kNone;  // of a list of groups
+  if (without_places(entry.key) != entry.key) return Kind::kNone;  // an entry of a list of groups
   if (is_one_number(entry)) return Kind::kNumber;
   if (entry.type == TALWEG_VALUE_TEXT) return entry.is_list ? Kind::kNone : Kind::kText;
   return entry.numbers.size() == 3 ? Kind::kPlace : Kind::kNone;
 }
 
-/// Of the program or the mesh, or what the first column has.
+/// Whether the entry is about the program or the mesh, or repeats the first column.
 bool is_of_no_curve(const host::ReportEntry& entry) {
   const auto& keys = {"version", "faces", "vertices", "curve"};
   return std::find(keys.begin(), keys.end(), entry.key) != keys.end();
@@ -113,8 +113,8 @@ std::vector<double> numbers_of_group(const host::Results& results, const std::st
 
 namespace {
 
-/// The entry as one of a curve, if it is of a list of groups of this name: borders.2.left is left
-/// of curve 2.
+/// The entry as an entry of a curve, if it belongs to a list of groups with this name:
+/// borders.2.left becomes left of curve 2.
 host::ReportEntry of_its_curve(const host::ReportEntry& entry, const std::string& group) {
   host::ReportEntry own = entry;
   const std::string start = group + ".";
@@ -133,7 +133,7 @@ void give_table(const host::Results& results, vtkTable& out, const std::string& 
   for (const host::ReportEntry& entry : results.report) curves = std::max(curves, entry.curve + 1);
   const vtkIdType rows = curves + 1;
   vtkNew<vtkStringArray> names;
-  names->SetName("# curve");  // a spreadsheet view sorts columns by name
+  names->SetName("# curve");  // a spreadsheet view sorts columns by name, and # comes first
   for (std::int64_t c = 0; c < curves; ++c) names->InsertNextValue(std::to_string(c));
   names->InsertNextValue("all");
   out.AddColumn(names);

@@ -65,7 +65,8 @@ void add_lines(const host::Results& results, vtkPolyData& out) {
   out.SetLines(lines);
 }
 
-/// Every curve has the same fields. What turns at a point is no curvature to ParaView's users.
+/// Point arrays of the fields, which all curves have alike. The field of turns at points is not
+/// called curvature, which ParaView's users expect to be per length.
 void add_point_fields(const host::Results& results, vtkPolyData& out) {
   if (results.curves.empty()) return;
   for (std::size_t f = 0; f < results.curves.front().fields.size(); ++f) {
@@ -100,7 +101,7 @@ void add_numbers_of_curves(const host::Results& results, vtkPolyData& out) {
   out.GetCellData()->AddArray(numbers);
 }
 
-/// Where the points come from: between the corners of their faces.
+/// The origin of the curves' points: between the corners of their faces.
 host::Origin origin_of(const host::Results& results, const MeshInput& mesh) {
   host::Origin origin;
   for (const host::Curve& curve : results.curves) {
@@ -120,7 +121,8 @@ std::vector<vtkIdType> cells_of(const host::Results& results, const MeshInput& m
   return cells;
 }
 
-/// An array of the cells gives way to one of the points with the same name.
+/// Adds the mesh's arrays. If a point array and a cell array have the same name, the point array is
+/// used.
 void add_arrays_of_mesh(const host::Results& results, const MeshInput& mesh, vtkPolyData& out) {
   vtkPointData& points = *out.GetPointData();
   carry_points(mesh.arrays(), origin_of(results, mesh), points);
@@ -139,7 +141,8 @@ void add_arrays_of_mesh(const host::Results& results, const MeshInput& mesh, vtk
 
 void give(const host::Results& results, const MeshInput& mesh, vtkPolyData& out) {
   out.Initialize();
-  add_arrays_of_mesh(results, mesh, out);  // first: of the same name the curve's own count
+  add_arrays_of_mesh(results, mesh, out);  // first, so that the curve's own arrays replace arrays
+                                           // of the same name
   add_points(results, out);
   add_lines(results, out);
   add_arc_lengths(results, out);
@@ -152,7 +155,7 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
-/// What decides whether the result can be used.
+/// The decisive warnings, by which the result may be of no use.
 std::string decisive_sentences(const host::Results& results) {
   std::string all;
   if (const host::ReportEntry* entry = results.find("decisive")) {
@@ -161,7 +164,7 @@ std::string decisive_sentences(const host::Results& results) {
   return all;
 }
 
-/// Bounds are told as such: along the surface it may be more than through space.
+/// The word for a bound: the distance along the surface may be larger than through space.
 const char* bound_word(const host::Results& results) {
   return std::isfinite(results.number("farthest_at_most")) ? "at most" : "at least";
 }

@@ -10,7 +10,7 @@ namespace {
 
 using editing::Vector;
 
-/// To a segment.
+/// The distance from p to the segment from a to b.
 double distance(const Vector& p, const Vector& a, const Vector& b) {
   const Vector way = editing::minus(b, a), to = editing::minus(p, a);
   const double squared = editing::dot(way, way);

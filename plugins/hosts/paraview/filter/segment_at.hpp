@@ -1,4 +1,4 @@
-// Which part of a curve is at a place.
+// Finds the part of a curve at a place.
 #pragma once
 
 #include <array>
@@ -6,8 +6,8 @@
 
 namespace talweg::paraview {
 
-/// Between which of the points that a curve joins it passes a place, within a distance: k behind
-/// the point k. -1 if it does not.
+/// The index k such that the curve passes the place between the points k and k + 1 of `joined`,
+/// within a distance; -1 if the curve does not pass it.
 int segment_at(const std::vector<std::array<double, 3>>& curve, bool closed,
                const std::vector<std::array<double, 3>>& joined, const std::array<double, 3>& place,
                double within);

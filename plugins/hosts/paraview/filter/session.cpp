@@ -31,7 +31,7 @@ const talweg_parameter& parameter_named(const talweg_plugin& plugin, const std::
                            id + "; the panel was made for another version.");
 }
 
-/// Where the vertices of `points` are in the path through them.
+/// The indices, in the path, of the vertices of `points`.
 std::vector<std::uint32_t> places(const host::Curve& given, const host::Curve& path) {
   std::vector<std::uint32_t> result;
   for (const std::uint32_t pin : given.pins) {
@@ -41,7 +41,7 @@ std::vector<std::uint32_t> places(const host::Curve& given, const host::Curve& p
   return result;
 }
 
-/// Gives another plugin what the parameters say of the mesh, as far as it has them.
+/// Sets the parameters about the mesh on another plugin, if it has them.
 void copy_settings_of_meshes(const talweg_plugin& from,
                              const std::map<std::string, Setting>& values, host::Instance& to) {
   for (std::uint32_t k = 0; k < from.parameter_count; ++k) {
@@ -168,8 +168,9 @@ void Session::apply_settings() {
   }
 }
 
-/// A mesh that is no surface is refused without its repair. A change opens the mesh again, and
-/// curves are drawn again, since their edges may be others.
+/// Applies parameters about the mesh before the mesh is set, since a mesh that is no surface is
+/// refused without its repair. A change opens the mesh again, and sets the curves again, since
+/// edges may have changed.
 void Session::apply_settings_of_meshes() {
   for (const auto& [id, setting] : settings_) {
     const talweg_parameter& parameter = parameter_named(instance().plugin(), id);
@@ -217,7 +218,7 @@ void Session::check_is_one_number_each(const FieldName& field) const {
   throw std::runtime_error(subject + std::to_string(components) + " components; one is needed.");
 }
 
-/// A field changes when its array does.
+/// The setting with the state of its array, so that a change of the array counts as a change.
 Setting Session::current(Setting value) const {
   if (auto* field = std::get_if<FieldName>(&value); field != nullptr && !field->name.empty()) {
     vtkDataArray* values = array(*field);
@@ -239,7 +240,7 @@ void Session::apply(const talweg_parameter& parameter, const Setting& value) {
   apply_field(parameter.id, std::get<FieldName>(value));
 }
 
-/// Below 0 an optional number is not given.
+/// Sets a number; a value below 0 resets an optional number.
 void Session::apply_number(const talweg_parameter& parameter, double value) {
   if ((parameter.flags & TALWEG_OPTIONAL) != 0 && value < 0) return instance().reset(parameter.id);
   instance().set(parameter.id, value);
@@ -251,7 +252,7 @@ void Session::apply_curve_numbers(const talweg_parameter& parameter, const std::
   instance().set(parameter.id, values);
 }
 
-/// Triangles that polygons were cut into have the polygon's value.
+/// Sets a field; all triangles of a polygon have the polygon's value.
 void Session::apply_field(const char* id, const FieldName& field) {
   if (field.name.empty()) return instance().reset(id);
   vtkDataArray* values = array(field);

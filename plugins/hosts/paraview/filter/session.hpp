@@ -1,5 +1,5 @@
-// A session is what a filter keeps between its runs: an instance of a plugin, and what it was
-// last given, so that only what has changed is given again.
+// The state of a filter between its runs: an instance of a plugin, and the input that it last got,
+// so that only changed input is passed again.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace talweg::paraview {
 
-/// Values of parameters as properties give them.
+/// Values of parameters in the form of ParaView's properties.
 struct Choice {
   std::string id;
   friend bool operator==(const Choice&, const Choice&) = default;
@@ -29,8 +29,7 @@ struct CurveNumbers {
   std::string numbers;
   friend bool operator==(const CurveNumbers&, const CurveNumbers&) = default;
 };
-/// The name of an array of the mesh, empty for none: of its points, or of its cells; and which
-/// state of it.
+/// The name of an array of the mesh's points or cells, empty for none, and the array's state.
 struct FieldName {
   std::string name;
   bool of_cells = false;
@@ -39,53 +38,55 @@ struct FieldName {
 };
 using Setting = std::variant<double, Choice, VertexList, CurveNumbers, FieldName>;
 
-/// Data sets that curves were made of, and when these were: the same origin, the same curves.
+/// The data sets of curves, with their times of change. Equal origins mean equal curves.
 struct Origin {
   const void* data = nullptr;
   std::uint64_t time = 0;
   const void* others = nullptr;
   std::uint64_t time_of_others = 0;
-  std::uint64_t edits = 0;  ///< of the filter's own properties
+  std::uint64_t edits = 0;  ///< changes of the filter's own properties
   friend bool operator==(const Origin&, const Origin&) = default;
 };
-/// Either may be null.
+/// Both arguments may be null.
 Origin origin_of(vtkDataObject* curves, vtkDataObject* others);
 
-/// Methods throw host::Error for what the plugins refuse, std::runtime_error for the rest. After
-/// that everything is given anew.
+/// Methods throw host::Error if a plugin refuses its input, and std::runtime_error for other
+/// errors. After an error all input is passed again.
 class Session {
  public:
   /// Progress returns false to cancel; both are called on the caller's thread.
   Session(const char* plugin, host::Services::Progress progress, host::Services::Log log);
 
-  /// From now on another plugin, without parameters, mesh and curves.
+  /// Changes the plugin, and drops parameters, mesh and curves.
   void use(const std::string& plugin);
   /// False if the parameter had this value already.
   bool set(const std::string& id, Setting value);
 
-  /// A parameter's value as it was set, else the other.
+  /// A parameter's value, or `otherwise` if it was not set.
   [[nodiscard]] double number(const std::string& id, double otherwise) const;
 
-  /// With what the parameters say of repair. False if there was nothing to do, as below.
+  /// Sets the mesh, with the parameters for its repair. False if neither has changed, as in
+  /// take_curves().
   bool take_mesh(vtkDataSet& input);
   bool take_curves(const Origin& origin, const std::function<std::vector<host::Curve>()>& make);
-  /// Curves of vertices that are no neighbours, joined by shortest edge paths.
+  /// Joins the vertices of curves by shortest paths along edges.
   std::vector<host::Curve> along_edges(std::vector<host::Curve> curves);
-  /// Gives what has changed of the parameters to the plugin.
+  /// Sets the parameters that have changed on the plugin.
   void apply_settings();
   host::Results run(const host::Wanted& wanted);
 
-  /// Of the mesh that was taken last, or refused: it is no surface, but the plugin talweg.repair
-  /// makes one of it.
+  /// Whether the last mesh, which was taken or refused, is no surface but can be repaired by the
+  /// plugin talweg.repair.
   [[nodiscard]] bool can_be_repaired();
 
   [[nodiscard]] MeshInput& mesh() { return mesh_; }
-  /// The array of the mesh that a parameter names; null if there is none.
+  /// The array of the mesh that a parameter names; null if it names none.
   [[nodiscard]] vtkDataArray* array_of(const std::string& id) const;
   [[nodiscard]] const talweg_plugin& plugin() const;
-  /// The plugin's, to set what is no property and to ask for what belongs to meshes.
+  /// The plugin's instance, for parameters that are no properties and for extensions about meshes.
   host::Instance& instance();
-  /// Counts what changes more than a run: meshes, curves and parameters of these stages.
+  /// A counter of changes before the stage of the run: of meshes, curves and parameters of these
+  /// stages.
   [[nodiscard]] std::uint64_t state() const { return state_; }
 
   [[nodiscard]] int meshes_opened() const { return meshes_opened_; }

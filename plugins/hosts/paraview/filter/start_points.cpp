@@ -21,14 +21,14 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kMiddle = 0.3;  // how much a row in the middle is preferred to one of equal depth
+constexpr double kMiddle = 0.3;  // the preference for a row in the middle over a row of equal depth
 
 Vector along(const Vector& from, const Vector& direction, double step) {
   return {from[0] + step * direction[0], from[1] + step * direction[1],
           from[2] + step * direction[2]};
 }
 
-/// Points of different parts cannot be joined.
+/// The part with the most cells: a curve cannot join different parts.
 vtkSmartPointer<vtkPolyData> largest_part(vtkPolyData& mesh) {
   vtkNew<vtkPolyData> faces;  // without lines and single points
   faces->SetPoints(mesh.GetPoints());
@@ -41,8 +41,8 @@ vtkSmartPointer<vtkPolyData> largest_part(vtkPolyData& mesh) {
   return parts->GetOutput();
 }
 
-/// The direction of view, and what is to the right of and above it: right along the longest side of
-/// the box that is not seen from its end.
+/// The direction of view, and the directions right and up: right is the longest side of the box
+/// that is not nearly parallel to the view.
 struct View {
   Vector forwards, right, up;
 };
@@ -74,7 +74,8 @@ View view_of(const vtkBoundingBox& box, Vector forwards) {
   return {forwards, right, up};
 }
 
-/// Where rays meet the mesh first, else its nearest point, which may be on the far side.
+/// Finds the first point of the mesh on a ray; without one, the mesh's nearest point, which may be
+/// on the far side.
 class Sight {
  public:
   Sight(vtkPolyData& mesh, const Vector& eye, const Vector& forwards, double reach)
@@ -106,7 +107,7 @@ class Sight {
     return found;
   }
 
-  /// By how much the points differ in depth.
+  /// The range of the points' depths.
   [[nodiscard]] double depth(const std::vector<Vector>& points) const {
     double least = 0, most = 0;
     for (const Vector& point : points) {
@@ -133,7 +134,7 @@ double half_length(const vtkBoundingBox& box, const Vector& direction) {
   return length;
 }
 
-/// Three places side by side, the middle one a little higher.
+/// Three places in a row, the middle one a little higher.
 std::vector<Vector> places_at(const Vector& centre, const View& view, double reach, double height) {
   std::vector<Vector> places;
   for (const double step : {-0.5, 0.0, 0.5}) {
@@ -156,7 +157,8 @@ std::vector<Vector> start_points(vtkPolyData& mesh, const Vector& eye, const Vec
   Sight sight(*part, eye == focus ? along(centre, view.forwards, -1000 * size) : eye, view.forwards,
               size);
   const double width = half_length(box, view.right), height = half_length(box, view.up);
-  // Of a mesh with gaps or branches the row that goes least from near to far, all of it seen.
+  // Of several rows, the completely visible one with the smallest range of depth, for meshes with
+  // gaps or branches.
   std::vector<Vector> points;
   double best = std::numeric_limits<double>::infinity();
   for (const double row : {0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6}) {

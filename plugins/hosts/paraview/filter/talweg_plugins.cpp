@@ -29,7 +29,7 @@ std::string folder_beside_this_library() {
   return (library.parent_path() / "../../../talweg/plugins").lexically_normal().string();
 }
 
-/// Never closed: filters may live until the program ends.
+/// The loaders are never closed: filters may live until the program ends.
 std::vector<const talweg_loader*> open_all() {
   std::vector<const talweg_loader*> loaders;
   if (std::getenv("TALWEG_PLUGIN_PATH") == nullptr) {

@@ -21,8 +21,8 @@ vtkStandardNewMacro(vtkSMTalwegStart);
 
 namespace {
 
-/// The eye of the active view and where it looks; one place without a view. The rays of a parallel
-/// projection come from far away.
+/// The eye and the focus of the active view; equal places without a view. The eye of a parallel
+/// projection is moved far away.
 struct Camera {
   std::array<double, 3> eye = {}, focus = {};
 };
@@ -42,7 +42,7 @@ Camera camera_of_view(vtkSMSessionProxyManager& manager) {
   return camera;
 }
 
-/// The filter, which may be on a server, looks at its mesh.
+/// The filter, which may be on a server, chooses points on its mesh.
 std::vector<double> start_points(vtkSMProxy& filter) {
   const auto [eye, focus] = camera_of_view(*filter.GetSessionProxyManager());
   vtkClientServerStream stream;
@@ -66,8 +66,8 @@ void vtkSMTalwegStart::PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLElement* x
   xml->GetScalarAttribute("start_points", &wanted);
   vtkSMProperty* property = proxy->GetProperty("Points");
   if (wanted == 0 || property == nullptr) return;
-  if (vtkSMPropertyHelper(property).GetNumberOfElements() > 0) return;  // they were given
-  proxy->UpdateVTKObjects();  // so that the filter has its input
+  if (vtkSMPropertyHelper(property).GetNumberOfElements() > 0) return;  // the points were set
+  proxy->UpdateVTKObjects();  // passes the input to the filter
   const std::vector<double> points = start_points(*proxy);
   if (points.empty()) return;
   vtkSMPropertyHelper(property).Set(points.data(), static_cast<unsigned int>(points.size()));

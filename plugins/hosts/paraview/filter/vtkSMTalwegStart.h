@@ -1,11 +1,11 @@
 /**
  * @class vtkSMTalwegStart
- * @brief what a new filter of Talweg begins with, and how its curves look
+ * @brief first points of a new filter of Talweg, and first looks of its curves
  *
  * An initialization helper of ParaView: <InitializationHelper class="vtkSMTalwegStart" .../> in the
  * hints of a filter. With start_points="1" the property Points begins with points on the mesh that
- * the active view sees, unless it was set. With curves="PORT" what that output shows is wide and
- * has a colour of its own when it is shown first.
+ * are visible in the active view, unless it was set. With curves="PORT" the curves of this output
+ * begin as wide lines with a colour of their own.
  */
 #ifndef vtkSMTalwegStart_h
 #define vtkSMTalwegStart_h

@@ -1,6 +1,6 @@
 /**
  * @class vtkTalwegCut
- * @brief cuts a mesh along curves, which become edges of it exactly
+ * @brief cuts a mesh along curves, which become edges of the mesh exactly
  *
  * Input 0 is the mesh, input 1 the curves. Output 0 is a multi-block data set with the cut mesh or
  * its pieces, all arrays kept; output 1 has the curves as chains of edges. The plugin talweg.cut
@@ -22,14 +22,14 @@ class TALWEGFILTERS_EXPORT vtkTalwegCut : public vtkTalwegFilter {
 
  protected:
   vtkTalwegCut();
-  /// For another plugin that makes meshes.
+  /// For derived filters with another plugin that makes meshes.
   explicit vtkTalwegCut(const char* plugin);
   ~vtkTalwegCut() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /// Of a composite data set each leaf becomes a block with its pieces. ParaView would make one
-  /// mesh of each.
+  /// Each leaf of a composite data set becomes a block with its pieces. By default ParaView would
+  /// make one mesh of each leaf.
   void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
               vtkInformationVector& outputs) override;
   void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,

@@ -33,13 +33,14 @@ struct vtkTalwegFilter::Internals {
 
   Session Work;
   std::string CurveIds;
-  std::uint64_t Edits = 0;       // of the name above
+  std::uint64_t Edits = 0;       // changes of the name of the curves' array
   std::size_t Others = 0;        // curves of the last drawing
-  std::set<std::string> Warned;  // since the mesh changed, or that is still so
+  std::set<std::string> Warned;  // warnings since the last change of the mesh, and those that still
+                                 // hold
   std::set<std::string> Before;  // warnings of the run before this one
-  std::set<std::string> Now;     // and of this one
+  std::set<std::string> Now;     // warnings of this run
   std::string Told, Warnings;    // of the last run
-  std::string Outcome;           // both, as GetOutcome() gave it
+  std::string Outcome;           // both, as the text that GetOutcome() returned
 };
 
 vtkTalwegFilter::vtkTalwegFilter(const char* plugin)
@@ -113,7 +114,7 @@ const char* vtkTalwegFilter::GetOutcome() {
 
 namespace {
 
-/// What is so for many good drawings: nothing to mend.
+/// Whether a message is about a normal property of good drawings, which needs no change.
 bool is_usual(const std::string& message) {
   return message.starts_with("The curve was moved onto the mesh") ||
          message.starts_with("The deviation would take far longer");
@@ -121,8 +122,8 @@ bool is_usual(const std::string& message) {
 
 }  // namespace
 
-/// ParaView opens its messages for every warning, so one is not repeated while a slider moves, and
-/// there is none of what is usual.
+/// ParaView opens its window of messages for every warning. A warning is therefore not repeated
+/// while a slider moves, and usual messages are not shown there.
 void vtkTalwegFilter::Log(unsigned int severity, const char* sentence) {
   const std::string message = this->InWordsOfPanel(sentence);
   if (severity >= TALWEG_LOG_WARNING) {
@@ -157,7 +158,7 @@ void vtkTalwegFilter::TakeDrawing(talweg::paraview::Origin origin,
                                   const std::function<std::vector<Curve>()>& make) {
   origin.edits += this->Common->Edits;
   const bool changed = this->Common->Work.take_curves(origin, make);
-  // Each click is another drawing: what was so before it is not said again.
+  // A new click makes another drawing: warnings from before it are not repeated.
   if (changed) this->Common->Warned = this->Common->Before;
 }
 
@@ -179,7 +180,7 @@ int vtkTalwegFilter::TakeCurves(vtkDataObject* curves, vtkDataObject* others) {
   return static_cast<int>(common.Others);
 }
 
-/// Blocks with curves are no meshes, so the filter does not run once for each.
+/// Blocks of curves are no meshes, so the filter must not run once for each.
 int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPointSet");
   if (port == 0) return 1;
@@ -197,7 +198,7 @@ void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkData
 
 namespace {
 
-/// What to do about a mesh that is refused.
+/// Advice for a mesh that was refused.
 std::string advice_on_mesh(Session& session) {
   if (session.mesh().corners().empty()) {
     return " Mesh must be a surface of triangles or polygons; Change Input... (right button, in "
@@ -207,7 +208,7 @@ std::string advice_on_mesh(Session& session) {
   return tick ? " Tick Repair to mend the mesh, and to be told what is changed." : "";
 }
 
-/// The plugin's sentence, and what to do about it here.
+/// The plugin's sentence, with advice for ParaView's user.
 std::string advice(std::string sentence, std::int32_t status, Session& session) {
   if (status == TALWEG_BAD_MESH) return sentence + advice_on_mesh(session);
   if (sentence.find("in another unit or place") == std::string::npos) return sentence;
@@ -239,7 +240,8 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
   } catch (const talweg::host::Error& error) {
     clear();
-    const bool cancelled = error.status() == TALWEG_CANCELLED;  // nothing wrong, nothing there
+    const bool cancelled = error.status() == TALWEG_CANCELLED;  // a cancelled run is no error, and
+                                                                // has no result
     const std::string sentence =
         advice(this->InWordsOfPanel(error.what()), error.status(), this->GetSession());
     this->Tell(cancelled ? "Stopped. Any change, and Apply, runs it again."
@@ -250,7 +252,6 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     this->Tell(std::string("No result: ") + error.what());
     vtkErrorMacro(<< error.what());
   }
-  // Never 0, for which ParaView adds a message of its own, and views would go on showing the last
-  // result.
+  // Never 0: ParaView would add a message of its own, and views would keep showing the last result.
   return 1;
 }

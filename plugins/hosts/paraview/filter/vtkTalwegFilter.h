@@ -1,10 +1,10 @@
 /**
  * @class vtkTalwegFilter
- * @brief what the filters of Talweg have in common
+ * @brief the base of Talweg's filters
  *
- * Input 0 is a mesh. Parameters go by their ids to the plugin that does the work; it is kept
- * between runs, so that only what a change concerns is done again. What the plugin refuses arrives
- * as an error with its sentence, and the outputs are empty.
+ * Input 0 is a mesh. Parameters are passed by their ids to a plugin. The plugin's instance is kept
+ * between runs, so that a change repeats only the stages that depend on it. Errors of the plugin
+ * become errors of the filter with the plugin's sentence; the outputs are empty then.
  */
 #ifndef vtkTalwegFilter_h
 #define vtkTalwegFilter_h
@@ -20,7 +20,7 @@
 
 class vtkDataSet;
 
-// Nested as VTK's wrapping can read it.
+// Nested, since VTK's wrapping cannot read the short form.
 namespace talweg {
 namespace host {
 struct Curve;
@@ -38,11 +38,11 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// Values of the plugin's parameters. Optional numbers are not given below 0; vertices are
-  /// numbers from 0, separated by spaces or commas; numbers of curves are separated so, too, one
-  /// for each, and none is none at all; a field is the name of a point array of the mesh, a
-  /// triangle field that of a cell array, or None. What is wrong with a value is told by the next
-  /// run.
+  /// Values of the plugin's parameters. A number below 0 stands for an optional number without a
+  /// value. Vertices are numbers from 0, separated by spaces or commas; numbers of curves, one for
+  /// each curve, are separated alike, and an empty text stands for none. A field is the name of a
+  /// point array of the mesh, a triangle field the name of a cell array, or None. The next run
+  /// reports wrong values.
   void SetNumber(const char* id, double value);
   void SetChoice(const char* id, const char* value);
   void SetVertices(const char* id, const char* numbers);
@@ -51,52 +51,52 @@ class TALWEGFILTERS_EXPORT vtkTalwegFilter : public vtkDataObjectAlgorithm {
   void SetTriangleField(const char* id, const char* array);
   ///@}
 
-  /// A point array of the curves with vertices of the mesh, used instead of their positions; None:
-  /// none.
+  /// A point array of the curves with vertex indices of the mesh, used instead of positions; None:
+  /// no array.
   void SetCurveIds(const char* array);
 
-  /// What the last run says of itself: what it reached, its warnings, or why there is no result.
+  /// The text of the last run: the measures of its result, its warnings, or why there is no result.
   const char* GetOutcome();
 
   ///@{
-  /// How often each stage was done.
+  /// The number of times that each stage was run.
   int GetMeshesOpened();
   int GetCurvesSet();
   int GetRuns();
   ///@}
 
  protected:
-  /// `plugin`: the id of the one that does the work.
+  /// `plugin` is the id of the plugin.
   explicit vtkTalwegFilter(const char* plugin);
   ~vtkTalwegFilter() override;
 
-  /// Port 0 is the mesh; others are curves, optional unless a class says otherwise.
+  /// Port 0 is the mesh; other ports are curves, optional unless a derived class requires them.
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
-  /// Does the work on what comes in: a data set, unless a class takes others, too.
+  /// Runs the filter on its input: a data set, unless a derived class also takes other objects.
   virtual void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                       vtkInformationVector& outputs);
-  /// Does the work. `curves` is null on a filter with one input, or if there are none; so is
-  /// `others` for a third input. Throws what std::exception is.
+  /// Runs the filter on a data set. `curves` is null on a filter with one input, or without curves;
+  /// so is `others` for a third input. Throws exceptions derived from std::exception.
   virtual void Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObject* others,
                     vtkInformationVector& outputs) = 0;
 
   talweg::paraview::Session& GetSession();
-  /// Gives the session the mesh.
+  /// Sets the mesh of the session.
   void TakeMesh(vtkDataSet& mesh);
-  /// Gives the session the curves of a data set, and behind them those of another; says how many
-  /// these are. Throws std::runtime_error without the first.
+  /// Sets the curves of a data set, followed by the curves of another, and returns the number of
+  /// the latter. Throws std::runtime_error without the first data set.
   int TakeCurves(vtkDataObject* curves, vtkDataObject* others);
-  /// Gives the session curves that are made unless they come from where they last came from. The
-  /// name of an array with vertices belongs to the origin.
+  /// Sets the curves of make(), unless the origin equals the last one. The name of the array with
+  /// vertices is a part of the origin.
   void TakeDrawing(talweg::paraview::Origin origin,
                    const std::function<std::vector<talweg::host::Curve>()>& make);
-  /// The name of the array with vertices of the mesh; empty: none.
+  /// The name of the array with vertex indices of the mesh; empty: none.
   const char* GetCurveIds() const;
-  /// In ParaView's messages if it is a warning, else in the log. A warning is not repeated until
-  /// the mesh or the curves change.
+  /// Shows a warning in ParaView's messages, and other messages in the log. A warning is not
+  /// repeated until the mesh or the curves change.
   void Log(unsigned int severity, const char* message);
   /// Puts a text before the warnings in GetOutcome().
   void Tell(const std::string& text);

@@ -38,7 +38,7 @@ int vtkTalwegLabels::FillOutputPortInformation(int port, vtkInformation* info) {
 
 namespace {
 
-/// New labels of cells, in the type of the given ones, whose values they have.
+/// Adds the new labels of cells, in the type of the given array.
 void add_labels(const std::vector<double>& labels, vtkDataArray& given, vtkPolyData& out) {
   const auto array = vtkSmartPointer<vtkDataArray>::Take(given.NewInstance());
   array->SetName("new_label");
@@ -50,7 +50,7 @@ void add_labels(const std::vector<double>& labels, vtkDataArray& given, vtkPolyD
   out.GetCellData()->SetActiveScalars("new_label");
 }
 
-/// The plugin's own attribute of the cut mesh.
+/// The exact labels, the plugin's own attribute of the cut mesh.
 std::vector<double> exact_labels(Session& session) {
   for (talweg::host::Attribute& attribute : session.instance().attributes(0)) {
     if (attribute.element == TALWEG_OF_TRIANGLES && attribute.name == "label") {
@@ -60,7 +60,7 @@ std::vector<double> exact_labels(Session& session) {
   return {};
 }
 
-/// The labels beside each border.
+/// Adds the labels on both sides of each border.
 void add_sides(const talweg::host::Results& results, vtkPolyData& borders) {
   for (const char* side : {"left", "right"}) {
     vtkNew<vtkDoubleArray> labels;

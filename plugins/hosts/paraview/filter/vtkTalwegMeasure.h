@@ -2,9 +2,8 @@
  * @class vtkTalwegMeasure
  * @brief measures curves on a mesh
  *
- * Input 0 is the mesh, input 1 the curves, input 2 curves that they are compared with (optional).
- * The output is a table: a row for each curve, and one for all. The plugin talweg.measure does the
- * work.
+ * Input 0 is the mesh, input 1 the curves, input 2 curves for a comparison (optional). The output
+ * is a table: a row for each curve, and one for all. The plugin talweg.measure does the work.
  */
 #ifndef vtkTalwegMeasure_h
 #define vtkTalwegMeasure_h

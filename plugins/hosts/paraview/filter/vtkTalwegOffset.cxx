@@ -36,7 +36,7 @@ int vtkTalwegOffset::FillOutputPortInformation(int port, vtkInformation* info) {
 
 namespace {
 
-/// What each curve is an offset of.
+/// Adds the distance, the side and the given curve of each offset curve.
 void add_places(const talweg::host::Results& results, vtkPolyData& out) {
   vtkNew<vtkDoubleArray> distances, along;
   vtkNew<vtkStringArray> sides;

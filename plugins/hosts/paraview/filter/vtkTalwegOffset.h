@@ -1,6 +1,6 @@
 /**
  * @class vtkTalwegOffset
- * @brief curves at a distance along the surface from others
+ * @brief curves at a distance along the surface from given curves
  *
  * Input 0 is the mesh, input 1 the curves. Output 0 is the offset curves, with cell arrays of their
  * distance, side and the number of the given curve, output 1 a table with the report on each. The

@@ -31,7 +31,7 @@ int vtkTalwegRepair::FillOutputPortInformation(int, vtkInformation* info) {
 
 namespace {
 
-/// A line for each change.
+/// A line for each change of the repair.
 std::string outcome(const talweg::host::Results& results) {
   const talweg::host::ReportEntry* changes = results.find("repair.changes");
   if (changes == nullptr) {
@@ -55,7 +55,7 @@ void vtkTalwegRepair::Work(vtkDataSet& mesh, vtkDataObject*, vtkDataObject*,
     talweg::paraview::give(results.meshes.front(), session.instance().origin(0), session.mesh(),
                            out);
   } else if (session.number("repair", 1) == 0) {
-    session.mesh().copy_to(out);  // it was only inspected
+    session.mesh().copy_to(out);  // without changes the mesh was only inspected
   } else {
     throw std::runtime_error("The mesh cannot be repaired: " + results.text("reason"));
   }

@@ -1,9 +1,9 @@
 /**
  * @class vtkTalwegRepair
- * @brief makes a surface of a mesh that is none
+ * @brief repairs a mesh to a surface
  *
- * Input 0 is the mesh. The output is the repaired mesh with all arrays; its field data tell what
- * was wrong and what was done. The plugin talweg.repair does the work.
+ * Input 0 is the mesh. The output is the repaired mesh with all arrays; its field data have the
+ * defects and the changes. The plugin talweg.repair does the work.
  */
 #ifndef vtkTalwegRepair_h
 #define vtkTalwegRepair_h

@@ -34,7 +34,7 @@ void check_makes_meshes(const talweg_plugin& plugin) {
   throw std::runtime_error(std::string(plugin.id) + " makes no meshes.");
 }
 
-/// Of a word such as share=0.1.
+/// Sets a parameter from a word such as share=0.1.
 void set_parameter(const std::string& word, const talweg_plugin& plugin,
                    talweg::paraview::Session& session) {
   const std::size_t equals = word.find('=');

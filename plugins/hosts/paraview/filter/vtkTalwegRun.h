@@ -2,7 +2,7 @@
  * @class vtkTalwegRun
  * @brief runs any plugin that makes meshes
  *
- * Input 0 is the mesh, input 1 the curves, if the plugin takes some. Outputs are as of
+ * Input 0 is the mesh, input 1 the curves, if the plugin takes curves. Outputs are as in
  * vtkTalwegCut.
  */
 #ifndef vtkTalwegRun_h
@@ -19,8 +19,8 @@ class TALWEGFILTERS_EXPORT vtkTalwegRun : public vtkTalwegCut {
   vtkTypeMacro(vtkTalwegRun, vtkTalwegCut);
 
   ///@{
-  /// The plugin's id, and values of its numbers and choices as "share=0.1 task=copy". What is wrong
-  /// with them is told by the next run. A change opens the mesh again.
+  /// The plugin's id, and values of its numbers and choices as "share=0.1 task=copy". The next
+  /// run reports wrong values. A change opens the mesh again.
   void SetPlugin(const char* id);
   void SetParameters(const char* text);
   ///@}
@@ -32,7 +32,7 @@ class TALWEGFILTERS_EXPORT vtkTalwegRun : public vtkTalwegCut {
   void WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
               vtkInformationVector& outputs) override;
 
-  /// Parameters have their ids here.
+  /// The panel names parameters by their ids.
   std::string InWordsOfPanel(const std::string& sentence) override { return sentence; }
 
  private:

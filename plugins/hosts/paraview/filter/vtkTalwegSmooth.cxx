@@ -41,7 +41,7 @@ struct vtkTalwegSmooth::Internals {
     Curve through;
     through.closed = this->Closed;
     through.positions = this->Points;
-    through.exact.assign(this->Points.size(), 0);  // they were clicked
+    through.exact.assign(this->Points.size(), 0);  // clicked points are way-points
     return {through};
   }
 
@@ -52,7 +52,7 @@ struct vtkTalwegSmooth::Internals {
            "filter).";
   }
 
-  /// The distance is computed once for each drawing.
+  /// Runs the plugin; the distance field is computed once for each drawing.
   talweg::host::Results run(Session& session) {
     session.apply_settings();
     const bool known = !this->Distance.empty() && this->DistanceState == session.state();
@@ -73,7 +73,7 @@ struct vtkTalwegSmooth::Internals {
     array->SetNumberOfTuples(static_cast<vtkIdType>(this->Distance.size()));
     std::copy(this->Distance.begin(), this->Distance.end(), array->GetPointer(0));
     out.GetPointData()->AddArray(array);
-    out.GetPointData()->SetActiveScalars("distance");  // setting it would remove the active one
+    out.GetPointData()->SetActiveScalars("distance");  // setting the active array would remove it
   }
 
   void keep_curve(const talweg::host::Results& results) {
@@ -86,15 +86,16 @@ struct vtkTalwegSmooth::Internals {
   std::string PointIds;
   bool Closed = false;
   bool WithDistance = false;
-  std::uint64_t Edits = 0;  // of the drawing
+  std::uint64_t Edits = 0;  // changes of the drawing
   std::string Start, Picked;
-  std::vector<std::array<double, 3>> Passed;  // of the last run, if it joins the points
-  std::uint64_t PassedEdits = 0;              // of the drawing that it belongs to
+  std::vector<std::array<double, 3>> Passed;  // the points that the last run's curve joins, if it
+                                              // was drawn through points
+  std::uint64_t PassedEdits = 0;              // changes of the drawing at that run
   talweg::paraview::MeshRay Ray;
   double SlackUsed = 0, DeviationReached = 0;
-  bool OffersPoints = false, OffersVertices = false;  // the filter has such properties
+  bool OffersPoints = false, OffersVertices = false;  // whether the filter has these properties
   std::vector<double> Distance;
-  std::uint64_t DistanceState = 0;  // of the session, when it was computed
+  std::uint64_t DistanceState = 0;  // the session's state when the distance was computed
 };
 
 vtkStandardNewMacro(vtkTalwegSmooth);
@@ -113,7 +114,7 @@ void vtkTalwegSmooth::PrintSelf(ostream& os, vtkIndent indent) {
 
 namespace {
 
-/// Counts a change.
+/// Sets a value, and counts a change.
 template <class Value>
 bool change(Value& value, const Value& to, std::uint64_t& edits) {
   if (value == to) return false;
@@ -155,7 +156,7 @@ void vtkTalwegSmooth::SetClosed(int closed) {
 
 namespace {
 
-/// With all digits, and a space behind it.
+/// The coordinates with all digits, each followed by a space.
 std::string text_of_place(const std::array<double, 3>& place) {
   char numbers[100];
   std::snprintf(numbers, sizeof numbers, "%.17g %.17g %.17g ", place[0], place[1], place[2]);
@@ -220,7 +221,8 @@ int vtkTalwegSmooth::FillOutputPortInformation(int port, vtkInformation* info) {
 
 namespace {
 
-/// Positions are counted from 0, rows of the panel's table from 1.
+/// The sentence with rows of the panel's table, counted from 1, instead of positions, counted from
+/// 0.
 std::string with_rows(const std::string& sentence) {
   unsigned position = 0;
   int end = 0;

@@ -1,10 +1,11 @@
 /**
  * @class vtkTalwegSmooth
- * @brief smooths curves on a triangle mesh while they stay close to what was drawn
+ * @brief smooths curves on a triangle mesh, close to their drawing
  *
- * Input 0 is the mesh; the drawing is input 1 (lines, or points in their order), or points, or
- * numbers of vertices. Output 0 is the smoothed curves, output 1 the mesh with the distance to the
- * drawing, output 2 a table with the report on each curve. The plugin talweg.smooth does the work.
+ * Input 0 is the mesh; the drawing is input 1 (lines, or points in their order), or the property of
+ * points, or the property of vertex indices. Output 0 is the smoothed curves, output 1 the mesh
+ * with the distance to the drawing, output 2 a table with the report on each curve. The plugin
+ * talweg.smooth does the work.
  */
 #ifndef vtkTalwegSmooth_h
 #define vtkTalwegSmooth_h
@@ -21,31 +22,34 @@ class TALWEGFILTERS_EXPORT vtkTalwegSmooth : public vtkTalwegFilter {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// The drawing without input 1: points of space in their order, joined to the first if closed.
+  /// The drawing without input 1: points in space in their order, and whether the last is joined
+  /// to the first.
   void SetNumberOfPoints(int count);
   void SetPoint(int index, double x, double y, double z);
   void SetClosed(int closed);
   ///@}
 
-  /// Vertices of the mesh, used instead of the points; closed if the first is repeated at the end.
+  /// Vertices of the mesh, used instead of the points; closed if the first vertex is repeated at
+  /// the end.
   void SetPointIds(const char* numbers);
 
-  /// Three points on the mesh that comes in, as nine numbers in a text, to begin a drawing with:
-  /// those that an eye at x, y, z sees, which looks at the focus; from anywhere if these are one
-  /// place. Empty if there is no mesh yet.
+  /// Three points on the input mesh for a new drawing, as nine numbers in a text: points that are
+  /// visible from the eye at x, y, z, which looks at the focus; from any direction if eye and focus
+  /// are equal. Empty without a mesh.
   const char* StartPoints(double x, double y, double z, double focus_x, double focus_y,
                           double focus_z);
 
-  /// Where the mesh that comes in is met first between two places, as three numbers in a text;
-  /// empty if it is not between them.
+  /// The first point of the input mesh on the segment between two places, as three numbers in a
+  /// text; empty if the segment does not meet the mesh.
   const char* Pick(double x0, double y0, double z0, double x1, double y1, double z1);
 
-  /// Between which of the points of the last run its curve passes this place, within a distance: 0
-  /// behind the first point. -1 if it does not, or if the points have changed since.
+  /// The index k such that the last run's curve passes this place between its points k and k + 1,
+  /// within a distance. -1 if it does not pass the place, or if the points have changed since.
   int SegmentAt(double x, double y, double z, double within);
 
   ///@{
-  /// Of the last run, in mesh units; 0 before one, and where there is none.
+  /// Lengths of the last run, mesh units; 0 before the first run, and for lengths that it does
+  /// not have.
   double GetSlackUsed();
   double GetDeviationReached();
   ///@}

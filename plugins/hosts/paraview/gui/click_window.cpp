@@ -11,10 +11,10 @@ namespace talweg::paraview {
 
 #ifdef TALWEG_HAS_XCB
 
-/// Not Xlib's, where an error ends the program.
+/// xcb instead of Xlib, whose errors end the program.
 struct ClickWindow::Connection {
   Connection() : display(xcb_connect(nullptr, nullptr)) {}
-  ~Connection() { xcb_disconnect(display); }  // its window goes with it
+  ~Connection() { xcb_disconnect(display); }  // closes the window, too
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 

@@ -1,4 +1,4 @@
-// A window that cannot be seen, and is asked whether it was clicked.
+// An invisible window that detects clicks.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +6,18 @@
 
 namespace talweg::paraview {
 
-/// It lies on part of another window and takes the clicks there. It needs no event loop: it has a
-/// connection of its own to the display.
+/// The window covers a part of another window and gets the clicks there. It needs no event loop,
+/// since it has its own connection to the display.
 class ClickWindow {
  public:
-  /// Null if there is no X server, or none of its library.
+  /// Null if there is no X server, or no library for it.
   static std::unique_ptr<ClickWindow> make(std::uint32_t parent, int x, int y, int width,
                                            int height);
   ~ClickWindow();
   ClickWindow(const ClickWindow&) = delete;
   ClickWindow& operator=(const ClickWindow&) = delete;
 
-  /// Whether a button went down on it since the last time.
+  /// Whether a button was pressed on the window since the last call.
   [[nodiscard]] bool clicked();
 
  private:

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr qint64 kSoon = 300;  // milliseconds; what ends sooner needs no button
+constexpr qint64 kSoon = 300;  // milliseconds; a shorter run needs no abort button
 
 }  // namespace
 
@@ -37,7 +37,8 @@ void pqTalwegAbort::handle(vtkObject*, unsigned long event, void* self, void*) {
   if (event == vtkCommand::ProgressEvent) abort.step();
   if (event != vtkCommand::EndEvent) return;
   abort.close();
-  if (abort.Stopped) abort.Filter->SetAbortExecute(0);  // or it would never run again
+  if (abort.Stopped) abort.Filter->SetAbortExecute(0);  // otherwise the filter would never run
+                                                        // again
   abort.Stopped = false;
 }
 

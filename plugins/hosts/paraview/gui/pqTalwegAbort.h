@@ -1,8 +1,8 @@
 /**
- * Makes ParaView's abort button work while one filter runs. ParaView handles no events then, so the
- * button is grey: events in the midst of an update would begin another. Here a window that cannot
- * be seen lies on the button, on a connection of its own to the display, and is asked for clicks
- * between the steps of the filter. Only where the filter is in this process, and on X11.
+ * Makes ParaView's abort button work while one filter runs. ParaView handles no events during the
+ * run, since an event in the midst of an update would start another update; so the button is grey.
+ * An invisible window on the button, with its own connection to the display, detects clicks between
+ * the steps of the filter. Works on X11, and only if the filter runs in this process.
  */
 #ifndef pqTalwegAbort_h
 #define pqTalwegAbort_h

@@ -41,7 +41,7 @@ constexpr double kNear = 9;     // pixels from a point
 constexpr double kOnLine = 5;   // pixels from a line between points
 constexpr double kOnCurve = 7;  // pixels from the middle of the curve, which is wider
 constexpr double kClick = 3;    // pixels that a click may move
-constexpr double kForward = 8;  // pixels; the curve has half of it
+constexpr double kForward = 8;  // pixels; the curve is brought forward by half of this
 constexpr float kBeforeOthers = 10;
 
 double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -72,7 +72,7 @@ pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, Q
   this->Command->SetCallback(handle);
   this->setLineColor(QColor(255, 200, 40));
   QObject::connect(this, &pqSplinePropertyWidget::pointsChanged, this,
-                   [this] { this->bringForward(); });  // other points are other actors
+                   [this] { this->bringForward(); });  // new points have new actors
 }
 
 pqTalwegDrawing::~pqTalwegDrawing() {
@@ -130,7 +130,7 @@ void pqTalwegDrawing::letGo() {
   this->Dragged = -1;
   if (!this->Step) return;
   if (vtkPVGeneralSettings::GetInstance()->GetAutoApply() && !this->isApplied()) {
-    apply_panel_of(*this);  // later it would be another step
+    apply_panel_of(*this);  // a later change would be another step of undo
   }
   this->Step.reset();
 }
@@ -154,7 +154,7 @@ bool pqTalwegDrawing::press() {
   const int segment = this->segmentAt(at);
   const std::optional<Point> place = segment < 0 ? std::nullopt : this->onMesh();
   if (!place) {
-    this->Down = at;  // a click, or the view is turned
+    this->Down = at;  // the start of a click, or of a turn of the view
     return false;
   }
   std::vector<Point> points = this->clicked();
@@ -196,7 +196,7 @@ bool pqTalwegDrawing::release() {
   std::vector<Point> points = this->clicked();
   points.push_back(*place);
   this->give(points, static_cast<int>(points.size()) - 1);
-  return false;  // the view has seen the button go down
+  return false;  // the view got the press, so it also needs the release
 }
 
 bool pqTalwegDrawing::key() {
@@ -319,7 +319,7 @@ int pqTalwegDrawing::segmentAt(const Pixel& mouse) const {
     }
     if (!this->isHidden(place)) return static_cast<int>(k);
   }
-  // The lines between points are often below the mesh, and the curve is what is seen.
+  // The lines between points are often below the mesh; the user sees the curve.
   const std::optional<Point> place = this->onMesh();
   if (!place || !this->isApplied()) return -1;
   const std::string segment = this->ask(

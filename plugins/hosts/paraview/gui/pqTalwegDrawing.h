@@ -1,7 +1,7 @@
 /**
  * The widget for clicked points: on the mesh in the view, clicks add points, points are dragged
- * over the surface, and a click on the first one closes the drawing. What the mouse meets is found
- * in the filter's mesh, whatever else is shown.
+ * over the surface, and a click on the first point closes the drawing. The mouse is intersected
+ * with the filter's mesh, whatever else is shown.
  */
 #ifndef pqTalwegDrawing_h
 #define pqTalwegDrawing_h
@@ -41,13 +41,13 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   using Pixel = std::array<double, 2>;
 
   static void handle(vtkObject* caller, unsigned long event, void* self, void* data);
-  /// True if the event was ours and nobody else shall have it.
+  /// True if the widget has handled the event, which no other object may get then.
   bool press();
   bool move();
   bool release();
   bool key();
-  /// From now on a point follows the mouse; Auto Apply shows the curve meanwhile, and one step of
-  /// undo takes all of it back.
+  /// Lets a point follow the mouse. Auto Apply shows the curve during the drag, and one step of
+  /// undo reverts the whole drag.
   void take(int point);
   void letGo();
 
@@ -55,29 +55,29 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   [[nodiscard]] bool isDrawing() const;
   [[nodiscard]] Pixel mouse() const;
   [[nodiscard]] Pixel seenAt(const Point& point) const;
-  /// Asks the filter on its server; empty if it has no answer.
+  /// Asks the filter on its server; empty without an answer.
   [[nodiscard]] std::string ask(const char* question, const std::vector<double>& numbers) const;
   /// The place under a pixel at a depth from 0 to 1.
   [[nodiscard]] Point below(const Pixel& pixel, double depth) const;
-  /// Where a ray meets the filter's mesh.
+  /// The first point of the filter's mesh on a ray.
   [[nodiscard]] std::optional<Point> meet(const Point& from, const Point& to) const;
-  /// Where the mouse meets it.
+  /// The point of the mesh under the mouse.
   [[nodiscard]] std::optional<Point> onMesh() const;
-  /// Whether the mesh is before a place.
+  /// Whether the mesh hides a place.
   [[nodiscard]] bool isHidden(const Point& place) const;
-  /// How long some pixels are there.
+  /// The length of some pixels at a place.
   [[nodiscard]] double length(double pixels, const Point& place) const;
   [[nodiscard]] std::vector<Point> clicked() const;
   void give(const std::vector<Point>& points, int current);
-  /// -1: none near the mouse.
+  /// Both functions return -1 if there is none near the mouse.
   [[nodiscard]] int pointAt(const Pixel& mouse) const;
   [[nodiscard]] int segmentAt(const Pixel& mouse) const;
-  /// Whether the filter has the points that are shown.
+  /// Whether the shown points are applied to the filter.
   [[nodiscard]] bool isApplied() const;
-  /// Points are drawn before the curve, which is drawn before the mesh. The last one is a ball as
-  /// the others are: ParaView's cone would point into the mesh.
+  /// Points are drawn before the curve, which is drawn before the mesh. The last point is a ball
+  /// like the others, since ParaView's cone would point into the mesh.
   void bringForward();
-  /// ParaView's own widget would take hold of points and lines behind the mesh.
+  /// ParaView's own widget would pick points and lines behind the mesh.
   void setOwnWidgetActive(bool active);
   [[nodiscard]] QCheckBox* closedBox() const;
 
@@ -87,9 +87,9 @@ class pqTalwegDrawing : public pqSplinePropertyWidget {
   vtkWeakPointer<vtkRenderer> Rendered;
   vtkWeakPointer<vtkSMRenderViewProxy> RenderView;
   int Dragged = -1;                       // the point that follows the mouse
-  bool Moved = false;                     // since the button went down
-  std::optional<Pixel> Down;              // where it did, beside all points
-  std::unique_ptr<pqScopedUndoSet> Step;  // all of a drag
+  bool Moved = false;                     // since the press
+  std::optional<Pixel> Down;              // place of the press, if it was beside all points
+  std::unique_ptr<pqScopedUndoSet> Step;  // the whole drag
 };
 
 #endif

@@ -1,6 +1,6 @@
 /**
- * The widget for a number that need not be given: Automatic, or a value. Below 0 the property is
- * not given. Below it stands what the last run used.
+ * The widget for an optional number: Automatic, which sets the property to a value below 0, or a
+ * value. A label below it shows the value that the last run used.
  */
 #ifndef pqTalwegOptional_h
 #define pqTalwegOptional_h
@@ -34,8 +34,8 @@ class pqTalwegOptional : public pqPropertyWidget {
   void tellUsed();
 
  private:
-  /// What the last run used, in the property that the hint <InForce property="..." says="used"/>
-  /// names; 0 if nothing is known.
+  /// The value that the last run used, from the property that the hint <InForce property="..."
+  /// says="used"/> names; 0 if unknown.
   [[nodiscard]] double inForce() const;
 
   QCheckBox* Automatic;

@@ -28,7 +28,7 @@
 
 namespace {
 
-/// The output with curves, as the filter's hints say; -1: none.
+/// The index of the output with curves, from the filter's hints; -1: none.
 int port_of_curves(vtkSMProxy& filter) {
   int port = -1;
   vtkPVXMLElement* hints = filter.GetHints();
@@ -53,7 +53,8 @@ pqTalwegOutcome::pqTalwegOutcome(vtkSMProxy* proxy, vtkSMProperty* property, QWi
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(this->Text);
   this->Mend->setObjectName("Mend");
-  this->Mend->setFocusPolicy(Qt::NoFocus);  // it goes, and Ctrl-Z is for who has the focus then
+  this->Mend->setFocusPolicy(Qt::NoFocus);  // the button disappears at a click, and the widget with
+                                            // the focus would get Ctrl-Z
   this->Mend->setVisible(false);
   QObject::connect(this->Mend, &QPushButton::clicked, this, [this] { this->repair(); });
   column->addWidget(this->Mend, 0, Qt::AlignLeft);
@@ -80,7 +81,7 @@ void pqTalwegOutcome::addLooks(int port) {
   colour->setObjectName("CurveColour");
   colour->addItem(tr("own colour"), "");
   for (const char* array : {"deviation", "turning", "arc_length"}) colour->addItem(array, array);
-  auto* rows = new QFormLayout;  // two, so that the panel may be narrow
+  auto* rows = new QFormLayout;  // two rows, so that the panel may be narrow
   rows->addRow(tr("Line width"), width);
   rows->addRow(tr("Coloured by"), colour);
   // Only smoothed curves have these arrays.
@@ -126,7 +127,8 @@ void pqTalwegOutcome::setColouring(const QString& array) {
   const std::string name = array.toStdString();
   vtkSMProxy* view = this->view()->getProxy();
   if (vtkSMPVRepresentationProxy::GetUsingScalarColoring(curves)) {
-    vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, false);  // of the array before
+    vtkSMPVRepresentationProxy::SetScalarBarVisibility(curves, view, false);  // the scalar bar of
+                                                                              // the earlier array
   }
   vtkSMPVRepresentationProxy::SetScalarColoring(curves, name.c_str(), vtkDataObject::POINT);
   if (!name.empty()) {
@@ -143,7 +145,7 @@ void pqTalwegOutcome::tell() {
   this->Mend->setVisible(this->Text->text().contains("Tick Repair"));
   vtkSMProxy* curves = this->shown();
   if (curves == nullptr) return;
-  if (curves != this->Watched) {  // what is chosen under Coloring and Styling, or taken back
+  if (curves != this->Watched) {  // follows choices under Coloring and Styling, and undo
     this->Watched = curves;
     for (const char* name : {"ColorArrayName", "LineWidth"}) {
       vtkSMProperty* looks = curves->GetProperty(name);
@@ -166,6 +168,6 @@ void pqTalwegOutcome::tellLooks() {
       vtkSMPVRepresentationProxy::GetUsingScalarColoring(curves)
           ? vtkSMPropertyHelper(curves, "ColorArrayName").GetInputArrayNameToProcess()
           : "";
-  if (colour->findData(array) < 0) colour->addItem(array, array);  // chosen under Coloring
+  if (colour->findData(array) < 0) colour->addItem(array, array);  // an array chosen under Coloring
   colour->setCurrentIndex(colour->findData(array));
 }

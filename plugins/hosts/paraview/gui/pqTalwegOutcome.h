@@ -1,7 +1,8 @@
 /**
- * The widget for what the last run says of itself: a text that the filter gives, and a button where
- * a repair is advised. Below it, for filters that give curves, how wide these are in the view, and
- * by what they are coloured. While the filter runs it makes ParaView's abort button work.
+ * The widget for the outcome of the last run: the filter's text, and a button if a repair is
+ * advised. For filters with curves as output it has controls for the curves' width in the view and
+ * for the array that colours them. While the filter runs, the widget makes ParaView's abort button
+ * work.
  */
 #ifndef pqTalwegOutcome_h
 #define pqTalwegOutcome_h
@@ -30,7 +31,8 @@ class pqTalwegOutcome : public pqPropertyWidget {
   ~pqTalwegOutcome() override;
 
  protected:
-  /// ParaView disables widgets of what scripts cannot set, and the looks of curves with them.
+  /// ParaView disables widgets of properties that scripts cannot set; the controls for curves must
+  /// stay enabled.
   void changeEvent(QEvent* event) override;
 
  private Q_SLOTS:
@@ -43,13 +45,13 @@ class pqTalwegOutcome : public pqPropertyWidget {
   void repair();
   void setWidth(int pixels);
   void setColouring(const QString& array);
-  /// Of the curves in the view; null if they are not shown there.
+  /// The representation of the curves in the view; null if they are not shown there.
   [[nodiscard]] vtkSMProxy* shown() const;
 
   QLabel* Text;
   QPushButton* Mend;
-  int Port = -1;                       // of the curves
-  vtkWeakPointer<vtkSMProxy> Watched;  // the curves in the view
+  int Port = -1;                       // output with curves; -1: none
+  vtkWeakPointer<vtkSMProxy> Watched;  // representation of the curves in the view
   vtkNew<vtkEventQtSlotConnect> Events;
   std::unique_ptr<pqTalwegAbort> Abort;
 };

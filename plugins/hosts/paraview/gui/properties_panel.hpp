@@ -1,7 +1,7 @@
-// ParaView's panel around a widget of it.
+// ParaView's panel that contains a widget.
 #pragma once
 
 class QWidget;
 
-/// Presses its Apply; nothing if the widget is in no panel.
+/// Presses the panel's Apply button; does nothing if the widget is in no panel.
 void apply_panel_of(QWidget& widget);

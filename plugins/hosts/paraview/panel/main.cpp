@@ -1,5 +1,5 @@
 // talweg-paraview-panel PLUGIN-FOLDER FILE.xml [own-widgets]: writes ParaView's property panels,
-// with our own widgets for them if the plugin has some.
+// with Talweg's own widgets if the plugin is built with them.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -33,8 +33,8 @@ std::string escaped(std::string_view text) {
 
 namespace {
 
-/// What the property and its command are called, before its default value and its domain. Scripts
-/// name properties by their labels, so there is none: ParaView makes it from the name.
+/// The beginning of a property: its name and its command. Scripts use a property's label as its
+/// name, so no label is set: ParaView makes one from the name.
 std::string opening(const talweg_parameter& p, const char* kind, const char* command) {
   return fmt::format(
       "<{} name=\"{}\" command=\"{}\" initial_string=\"{}\" number_of_elements=\"1\" "
@@ -49,7 +49,7 @@ std::string documentation(const talweg_parameter& p, const std::string& more = {
   return fmt::format("<Documentation>{}</Documentation>", escaped(text + more));
 }
 
-/// A slider's range: lengths go with the mesh, everything else has its own.
+/// The range of a slider: lengths depend on the mesh, all other numbers have fixed ranges.
 std::string number_domain(const talweg_parameter& p) {
   if (std::string_view(p.unit) != "mesh units") {
     return fmt::format("<DoubleRangeDomain name=\"range\" min=\"{}\" max=\"{}\"/>", p.soft_minimum,
@@ -60,7 +60,7 @@ std::string number_domain(const talweg_parameter& p) {
          "</BoundsDomain>";
 }
 
-/// The property that has the value which was used, for the panel.
+/// The hint with the property that has the value of the last run, for the panel.
 std::string in_force(const talweg_parameter& p) {
   if (std::string_view(p.id) == "slack") return "<InForce property=\"SlackUsed\" says=\"used\"/>";
   if (std::string_view(p.id) != "max_deviation") return "";
@@ -72,7 +72,7 @@ std::string number_property(const talweg_parameter& p) {
   if (optional && p.minimum < 0) {
     throw std::runtime_error(fmt::format("{}: -1 cannot stand for its absence.", p.id));
   }
-  // The domain must not choose the default.
+  // The hint keeps the domain from choosing the default.
   return fmt::format(
       "{}{} default_values=\"{}\">{}{}<Hints><NoDefault/>{}</Hints>"
       "</DoubleVectorProperty>\n",
@@ -83,7 +83,9 @@ std::string number_property(const talweg_parameter& p) {
 }
 
 std::string integer_property(const talweg_parameter& p) {
-  if ((p.flags & TALWEG_OPTIONAL) != 0) return number_property(p);  // Talweg says what is not whole
+  if ((p.flags & TALWEG_OPTIONAL) != 0)
+    return number_property(p);  // Talweg itself refuses
+                                // fractions
   return fmt::format(
       "{} default_values=\"{}\">"
       "<IntRangeDomain name=\"range\" min=\"{}\" max=\"{}\"/>{}"
@@ -119,8 +121,8 @@ std::string vertices_property(const talweg_parameter& p) {
                      documentation(p, " Numbers from 0, separated by spaces or commas."));
 }
 
-/// A text, since how many curves there are is not known before the filter runs. Their order is that
-/// of the output, since joined segments come behind lines of the input that are longer.
+/// A text, since the number of curves is not known before the filter runs. Numbers are in the order
+/// of the output's curves, in which lines of the input come before joined segments.
 std::string per_curve_property(const talweg_parameter& p) {
   return fmt::format(
       "{} default_values=\"\">{}</StringVectorProperty>\n",
@@ -161,7 +163,7 @@ std::string property_xml(const talweg_parameter& p) {
       return field_property(p, "SetTriangleField", "cell_arrays", "cell");
     case TALWEG_PER_CURVE:
       return per_curve_property(p);
-    default:  // of a later version of the interface: it keeps its default
+    default:  // a kind of a later version of the interface: the parameter keeps its default
       return "";
   }
 }

@@ -1,4 +1,4 @@
-// A property of ParaView's panel is made from the description of a plugin's parameter.
+// Makes a property of ParaView's panel from the description of a plugin's parameter.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace talweg::paraview {
 
-/// For XML.
+/// The text with XML's special letters escaped.
 std::string escaped(std::string_view text);
 
 /// The property, named after the parameter's id (max_deviation: MaxDeviation); empty for kinds of a
-/// later version of the interface. Lists of arrays ask the domains "arrays" (of points) and
-/// "cell_arrays" of the property Input.
-/// Throws std::runtime_error for a parameter that no property can be made for.
+/// later version of the interface. Properties for arrays use the domains "arrays" (of points) and
+/// "cell_arrays" of the property Input. Throws std::runtime_error for a parameter that no property
+/// can be made for.
 std::string property_xml(const talweg_parameter& parameter);
 
 }  // namespace talweg::paraview

@@ -11,7 +11,7 @@
 namespace talweg::paraview {
 namespace {
 
-/// The mesh, whose arrays some parameters name.
+/// The input mesh; some parameters name its arrays.
 constexpr const char* kMeshInput = R"(
 <InputProperty name="Input" label="Mesh" command="SetInputConnection" port_index="0">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
@@ -23,8 +23,8 @@ constexpr const char* kMeshInput = R"(
 </InputProperty>
 )";
 
-/// Curves as another pipeline object. A list of their arrays to choose from would let ParaView 5.11
-/// say "Index out of range: 0" three times until a curve is chosen, so a name is written.
+/// Curves as another pipeline object. The array with vertices is a text: with a list of arrays,
+/// ParaView 5.11 would print "Index out of range: 0" three times until curves are chosen.
 constexpr const char* kCurveInput = R"(
 <InputProperty name="Curve" command="SetInputConnection" port_index="1">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
@@ -42,7 +42,7 @@ constexpr const char* kCurveInput = R"(
 </StringVectorProperty>
 )";
 
-/// Curves that others are compared with.
+/// Curves for a comparison.
 constexpr const char* kOthersInput = R"(
 <InputProperty name="Others" command="SetInputConnection" port_index="2">
   <ProxyGroupDomain name="groups"><Group name="sources"/><Group name="filters"/></ProxyGroupDomain>
@@ -53,7 +53,7 @@ constexpr const char* kOthersInput = R"(
 </InputProperty>
 )";
 
-/// The drawing as points that are clicked.
+/// The drawing as clicked points.
 constexpr const char* kPoints = R"(
 <DoubleVectorProperty name="Points" command="SetPoint" set_number_command="SetNumberOfPoints"
                       use_index="1" repeat_command="1" number_of_elements_per_command="3"
@@ -73,7 +73,7 @@ constexpr const char* kPoints = R"(
 </PropertyGroup>
 )";
 
-/// The drawing as numbers of vertices.
+/// The drawing as vertex indices.
 constexpr const char* kVertices = R"(
 <StringVectorProperty name="PointIds" command="SetPointIds" number_of_elements="1"
                       default_values="">
@@ -92,7 +92,7 @@ constexpr const char* kDistance = R"(
 </IntVectorProperty>
 )";
 
-/// What a panel shows of the last run.
+/// The text of the last run, for the panel.
 constexpr const char* kOutcome = R"(
 <StringVectorProperty name="Outcome" command="GetOutcome" information_only="1"
                       number_of_elements="1" default_values="" panel_widget="TalwegOutcome"
@@ -103,7 +103,7 @@ constexpr const char* kOutcome = R"(
 </StringVectorProperty>
 )";
 
-/// Beside the fields that leave them to Talweg.
+/// Values of the last run, which the panel shows beside optional numbers.
 constexpr const char* kReached = R"(
 <DoubleVectorProperty name="SlackUsed" command="GetSlackUsed" information_only="1"
                       number_of_elements="1" default_values="0" panel_visibility="never">
@@ -115,7 +115,7 @@ constexpr const char* kReached = R"(
 </DoubleVectorProperty>
 )";
 
-/// What a script can ask: how often each stage was done.
+/// Counters for scripts: the number of times that each stage was run.
 constexpr const char* kCounts = R"(
 <IntVectorProperty name="MeshesOpened" command="GetMeshesOpened" information_only="1"
                    number_of_elements="1" default_values="0" panel_visibility="never">
@@ -131,8 +131,8 @@ constexpr const char* kCounts = R"(
 </IntVectorProperty>
 )";
 
-/// The input stays to be seen, and its mesh is not shown twice: ParaView 5.11 places points on what
-/// comes out of a first output only.
+/// The input stays visible, and the mesh of output 1 is hidden, so that the mesh is not shown
+/// twice. Curves are output 0, since ParaView 5.11 places points only on objects of a first output.
 constexpr const char* kSmoothEnd = R"(
 <OutputPort index="0" name="Curve"/>
 <OutputPort index="1" name="Mesh"/>
@@ -169,7 +169,7 @@ constexpr const char* kCutEnd = R"(
 </SourceProxy>
 )";
 
-/// The cut mesh, with exact labels, is the one to be seen.
+/// The cut mesh, with exact labels, is the visible one.
 constexpr const char* kLabelsEnd = R"(
 <OutputPort index="0" name="Borders"/>
 <OutputPort index="1" name="Mesh"/>
@@ -184,7 +184,7 @@ constexpr const char* kLabelsEnd = R"(
 </SourceProxy>
 )";
 
-/// Any plugin that makes meshes, which need not be there when the panels are made.
+/// Any plugin that makes meshes; it need not exist when the panels are made.
 constexpr const char* kRun = R"(
 <SourceProxy name="TalwegPlugin" class="vtkTalwegRun" label="Talweg Plugin">
 <Documentation short_help="Runs any plugin that makes meshes."
@@ -217,12 +217,13 @@ constexpr const char* kMeasureEnd = R"(
 </SourceProxy>
 )";
 
-/// What the filter shows instead of a parameter: Measure counts the curves of its third input.
+/// Whether the filter sets a parameter from an input: Measure counts the curves of its third input.
 bool is_given_by_an_input(const talweg_plugin& plugin, const talweg_parameter& p) {
   return std::string_view(plugin.id) == "talweg.measure" && std::string_view(p.id) == "others";
 }
 
-/// The rest says what a plugin makes of curves that these filters give it otherwise.
+/// The first sentence of a plugin's description. The rest describes input that these filters take
+/// in another form.
 std::string first_sentence(const std::string& text) { return text.substr(0, text.find(". ") + 1); }
 
 struct Filter {
@@ -230,9 +231,10 @@ struct Filter {
   const char* name;
   const char* label;
   const char* class_name;
-  std::vector<const char*> inputs, more;  ///< properties before and behind the parameters
+  std::vector<const char*> inputs, more;  ///< properties before and after the parameters
   const char* end;
-  const char* first = "";  ///< a parameter that is moved often, before an input with a long table
+  const char* first = "";  ///< a parameter that users change often, shown before an input with a
+                           ///< long table
 };
 
 std::string xml_of(const Filter& filter, const talweg_plugin& plugin) {

@@ -1,4 +1,4 @@
-// ParaView's property panels are made from the plugins' own descriptions.
+// Makes ParaView's property panels from the plugins' descriptions.
 #pragma once
 
 #include <functional>
@@ -11,13 +11,12 @@ namespace talweg::paraview {
 /// Throws if there is no plugin with this id.
 using FindPlugin = std::function<const talweg_plugin&(const char* id)>;
 
-/// Server-manager XML. Three filters are of the class vtkTalwegSmooth, by what the drawing is:
-/// TalwegSmoothCurve takes it as its second input, TalwegSmoothPoints as points that are clicked,
-/// TalwegSmoothVertices as numbers of vertices. Others are TalwegCut, TalwegLabelBorders,
-/// TalwegRepair, TalwegMeasure and TalwegOffset. Each has one property for each parameter of its
-/// plugin.
-/// Without `own_widgets` points are clicked with ParaView's widget for polylines.
-/// Throws what `plugin_named` and property_xml() do.
+/// Server-manager XML. Three filters are of the class vtkTalwegSmooth and differ in the form of the
+/// drawing: TalwegSmoothCurve takes its second input, TalwegSmoothPoints clicked points,
+/// TalwegSmoothVertices vertex indices. Other filters are TalwegCut, TalwegLabelBorders,
+/// TalwegRepair, TalwegMeasure and TalwegOffset. A filter has a property for each parameter of its
+/// plugin. Without `own_widgets` points are clicked with ParaView's widget for polylines. Throws
+/// the exceptions of `plugin_named` and property_xml().
 std::string server_manager_xml(const FindPlugin& plugin_named, bool own_widgets);
 
 }  // namespace talweg::paraview

@@ -1,4 +1,4 @@
-"""Smooth curves on triangle meshes while they stay close to what was drawn.
+"""Smooth curves on triangle meshes and keeps them close to the drawing.
 
 >>> import talweg
 >>> mesh = talweg.Mesh(vertices, faces)                # or a file, or a mesh of another package
@@ -7,8 +7,8 @@
 >>> result.curve.positions, result.report.farthest
 
 Functions take a mesh first: a ``Mesh``, which is opened once for many curves; a file; a pair (vertices,
-faces); a mesh of another package. ``Workspace`` keeps a curve while tau moves.
-``talweg.help_text()`` tells all parameters. Lengths are in mesh units, angles in radians.
+faces); a mesh of another package. ``Workspace`` keeps a curve while tau moves. ``talweg.help_text()`` lists
+all parameters. Lengths are in mesh units, angles in radians.
 """
 
 from ._calls import distance, draw, geodesic, smooth
@@ -36,7 +36,7 @@ __all__ = [
     "smooth", "write_curves", "write_mesh"
 ]
 
-for _name in __all__:  # people see talweg.BadCurve, not where it is written
+for _name in __all__:  # messages name talweg.BadCurve, not the private module that defines it
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = __name__
 del _name

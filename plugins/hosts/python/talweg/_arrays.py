@@ -1,4 +1,4 @@
-"""Arrays across the boundary: numpy's are handed over as they lie, the plugin's are copied once."""
+"""Arrays across the interface: numpy's arrays are passed without a copy, the plugin's are copied once."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ _LONGEST_STRIDE = 2**32
 
 
 def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage) -> Array:
-    """The values as an array that the interface can read: the caller's own wherever it can be.
+    """The values as an array that the interface can read: the caller's own array wherever possible.
 
-    Copied are only what is no array, numbers of other sizes or byte orders (float16, ...),
-    and layouts whose rows are not side by side or run backwards.
+    A copy is made of lists, of numbers of other sizes or byte orders (float16, ...), and of arrays whose rows
+    are not contiguous or run backwards.
 
     :param columns: 1 for shape (n,) or (n, 1), else for shape (n, columns).
-    :raises error: for another shape, or what are no real numbers.
+    :raises error: for another shape, or for values that are no real numbers.
     """
     try:
         array = np.asarray(values)
@@ -60,7 +60,7 @@ def _can_be_passed(array: Array) -> bool:
 
 
 def view(array: Array) -> c.Array:
-    """What the interface sees of an array from readable(), which must outlive it."""
+    """The interface's view of an array from readable(); the array must outlive the view."""
     columns = array.shape[1] if array.ndim == 2 else 1
     stride = array.strides[0] if len(array) > 1 else 0
     return c.Array(array.ctypes.data, len(array), stride, columns,
@@ -68,7 +68,8 @@ def view(array: Array) -> c.Array:
 
 
 def _lent(array: c.Array) -> Array:
-    """What a plugin gives (dense, by the interface's rule), where it lies: (n,) or (n, columns)."""
+    """A numpy view of a plugin's array, which is dense by the rules of the interface: (n,) or (n,
+    columns)."""
     dtype = np.dtype(_DTYPES[array.type])
     shape: Tuple[int, ...] = (array.rows, array.columns) if array.columns > 1 else (array.rows,)
     if array.rows == 0:
@@ -78,15 +79,15 @@ def _lent(array: c.Array) -> Array:
 
 
 def copied(array: c.Array) -> Array:
-    """A copy of what a plugin gives: (n,) or (n, columns)."""
+    """A copy of a plugin's array: (n,) or (n, columns)."""
     return _lent(array).copy()
 
 
 def copied_indices(array: c.Array) -> Integers:
-    """The same for indices, as int64; -1 where the plugin says that there is none."""
+    """A copy of a plugin's array of indices as int64; -1 for "none"."""
     lent = _lent(array)
     if lent.dtype == np.uint32 and (lent.size == 0 or lent.view(np.int32).min() >= -1):
-        return lent.view(np.int32).astype(np.int64)  # NO_VERTEX is -1 there: one pass over all
+        return lent.view(np.int32).astype(np.int64)  # NO_VERTEX is -1 as int32: one pass over the array
     indices = lent.astype(np.int64)
     indices[indices == c.NO_VERTEX] = -1
     return indices

@@ -13,7 +13,7 @@ Attributes = Dict[str, Array]
 
 
 class Parts(NamedTuple):
-    """A mesh as lists, of whatever package it came from; nothing of it is checked."""
+    """A mesh as plain lists, from any package, unchecked."""
 
     vertices: Any
     faces: Any
@@ -26,11 +26,11 @@ class Parts(NamedTuple):
 
 
 def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) -> Attributes:
-    """The same as arrays of numbers, which are not copied.
+    """The attributes as arrays of numbers, without a copy.
 
-    :param rows: what their shapes begin with: (vertices,), (faces,) or (faces, 3).
+    :param rows: the beginning of their shapes: (vertices,), (faces,) or (faces, 3).
     :param what: "vertex", "face" or "corner".
-    :raises BadUsage: for another shape, or what are no numbers; it names the attribute.
+    :raises BadUsage: for another shape, or values that are no numbers; the sentence names the attribute.
     """
     result: Attributes = {}
     for name, values in given.items():
@@ -52,6 +52,6 @@ def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) ->
 
 
 def of_numbers(given: Mapping[str, ArrayLike]) -> Attributes:
-    """Those of another package that hold numbers; it may have texts and objects, too."""
+    """The numeric attributes of another package's mesh, which may have texts and objects, too."""
     arrays = {name: np.asarray(values) for name, values in given.items()}
     return {name: array for name, array in arrays.items() if array.dtype.kind in "biuf"}

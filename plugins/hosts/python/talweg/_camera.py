@@ -1,4 +1,4 @@
-"""Where a picture is taken from: by orthographic projection, as the pictures of talweg-picture are."""
+"""The camera of a picture, an orthographic projection as in talweg-picture."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from . import _raster
 from ._types import Array, Floats
 
 _THUMBNAIL, _DIRECTIONS, _SAMPLES = 96, 48, 500
-_CELLS = 40  # along the longest side, of the coarse mesh that thumbnails show
+_CELLS = 40  # cells of the coarse mesh for thumbnails along its longest side
 _MARGIN, _AROUND = 0.05, 1.2
 
 
 @dataclass(frozen=True)
 class Camera:
-    """Its axes are rows: to the right, up, and towards the viewer."""
+    """The rows of ``axes`` point to the right, up, and towards the viewer."""
 
     axes: Floats
     center: Floats
@@ -26,30 +26,30 @@ class Camera:
     height: int
 
     def project(self, points: Array) -> Floats:
-        """(n, 3) in pixels, as _raster.Buffer takes it."""
+        """(n, 3) in pixels, the input of _raster.Buffer."""
         seen: Floats = (np.asarray(points, dtype=np.float64) - self.center) @ (
             self.scale * self.axes * np.array([[1], [-1], [1]])).T
         seen[:, :2] += ((self.width - 1) / 2, (self.height - 1) / 2)
         return seen
 
     def times(self, factor: int) -> Camera:
-        """The same with more pixels."""
+        """The same view with ``factor`` times as many pixels in each direction."""
         return Camera(self.axes, self.center, self.scale * factor, self.width * factor,
                       self.height * factor)
 
 
 def axes_for(direction: Array, up: Array) -> Floats:
-    """Looking against a direction that points from the mesh to the viewer."""
+    """The axes of a camera whose viewer is in this direction from the mesh."""
     forward = direction / np.linalg.norm(direction)
     right = np.cross(up / np.linalg.norm(up), forward)
-    if np.linalg.norm(right) < 1e-6:  # looking along `up`: any other upright does
+    if np.linalg.norm(right) < 1e-6:  # the view is along `up`: any other upright direction does
         right = np.cross(np.eye(3)[np.argmin(np.abs(forward))], forward)
     right = right / np.linalg.norm(right)
     return np.stack([right, np.cross(forward, right), forward])
 
 
 def framed(axes: Floats, low: Array, high: Array, width: int, height: int) -> Camera:
-    """Shows the box from low to high, which are given along the axes."""
+    """A camera that shows the box from ``low`` to ``high``, which are coordinates along the axes."""
     size = np.maximum(high - low, np.finfo(float).tiny)
     free = 1 - 2 * _MARGIN
     return Camera(axes, axes.T @ (0.5 * (low + high)),
@@ -57,7 +57,7 @@ def framed(axes: Floats, low: Array, high: Array, width: int, height: int) -> Ca
 
 
 class Stage:
-    """A mesh and the points of curves on it, and the best place to look at them from.
+    """A mesh and the points of curves on it, and the view that shows them best.
 
     :param vertices: (n, 3), finite where faces use them.
     :param curves: (k, 3) each.
@@ -70,11 +70,11 @@ class Stage:
         used[faces.reshape(-1)] = True
         self._shown = np.flatnonzero(used)
         self._coarse = _coarse_mesh(vertices, faces, self._shown)
-        self._normals = normals_of(*self._coarse)  # as long as twice the area
+        self._normals = normals_of(*self._coarse)  # normals with twice the area as length
         self._facing = unit(self._normals)
 
     def upright(self) -> Floats:
-        """y; for open sheets, as terrains are, the side that they face."""
+        """The upright direction: y; for open sheets such as terrains, the side that the sheet faces."""
         normal = self._normals.sum(axis=0)
         if np.linalg.norm(normal) > 0.5 * np.linalg.norm(self._normals, axis=1).sum() > 0:
             along = self._coarse[0] @ axes_for(normal, np.array([0.0, 1, 0])).T
@@ -84,7 +84,7 @@ class Stage:
         return np.array([0.0, 1, 0])
 
     def direction(self, up: Floats) -> Floats:
-        """The one from which most of the curves is seen; without curves, most of the mesh."""
+        """The direction to the viewer that shows most of the curves; without curves, most of the mesh."""
         best, most = np.array([0.0, 0, 1]), -1.0
         for direction in _directions(up):
             height = float(direction @ up) / float(np.linalg.norm(up))
@@ -107,12 +107,13 @@ class Stage:
         pixels = pixel[:, 1] * _THUMBNAIL + pixel[:, 0]
         face = buffer.faces[pixels]
         clear = (face != _raster.NOTHING) & (buffer.depths[pixels] <= at[:, 2] + 4)
-        # Up to about 55 degrees nothing is lost.
+        # A face counts fully up to an angle of about 55 degrees.
         return float((clear * np.clip(self._facing[face] @ direction / 0.57, 0, 1)).sum())
 
     def camera(self, view: Optional[Array], up: Optional[Array], zoom: float, width: int,
                height: int) -> Camera:
-        """Shows the curves with their surroundings; the whole mesh where little would be cut off."""
+        """A camera that shows the curves with their surroundings, or the whole mesh where little would be cut
+        off."""
         upright = self.upright() if up is None else np.asarray(up, dtype=np.float64)
         direction = self.direction(upright) if view is None else np.asarray(view, dtype=np.float64)
         axes = axes_for(direction, upright)
@@ -132,7 +133,7 @@ class Stage:
 
 
 def _directions(up: Floats) -> Floats:
-    """Evenly spread over the sphere, "up" being the pole."""
+    """Directions spread evenly over the sphere, with "up" as the pole."""
     k = np.arange(_DIRECTIONS)
     z = 1 - 2 * (k + 0.5) / _DIRECTIONS
     r, angle = np.sqrt(1 - z * z), np.pi * (3 - np.sqrt(5)) * k
@@ -154,7 +155,7 @@ def _coarse_samples(curves: Sequence[Floats]) -> Floats:
 
 
 def normals_of(vertices: Floats, faces: Array) -> Floats:
-    """(m, 3), twice as long as the faces are large."""
+    """(m, 3), normals with twice the face's area as length."""
     a, b, c = (vertices[faces[:, k]].T for k in range(3))
     b, c = b - a, c - a
     return np.stack([b[1] * c[2] - b[2] * c[1], b[2] * c[0] - b[0] * c[2],
@@ -162,13 +163,13 @@ def normals_of(vertices: Floats, faces: Array) -> Floats:
 
 
 def unit(vectors: Floats) -> Floats:
-    """Of length 1, or as they are where they have none."""
+    """Unit vectors; vectors of length 0 stay."""
     lengths = np.linalg.norm(vectors, axis=1)
     return np.asarray(vectors / np.where(lengths > 0, lengths, 1)[:, None])
 
 
 def _coarse_mesh(vertices: Floats, faces: Array, shown: Array) -> "tuple[Floats, Array]":
-    """The mesh for thumbnails: vertices of one cell of a grid become one."""
+    """The coarse mesh for thumbnails: vertices in one cell of a grid become one vertex."""
     low = vertices[shown].min(axis=0)
     cell = float((vertices[shown].max(axis=0) - low).max()) / _CELLS
     if len(faces) > 5000 and cell > 0:

@@ -1,7 +1,7 @@
-"""Attributes across the boundary: what plugins carry over to the meshes that they make.
+"""Attributes across the interface: plugins interpolate them for the meshes that they make.
 
-The interface has attributes of 1 to 64 columns, at corners 2 or 3 of real numbers. Others go over in
-parts, and are put together again.
+The interface has attributes of 1 to 64 columns; at corners, 2 or 3 columns of real numbers. Attributes of
+other widths are passed in parts and joined afterwards.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ class _Given(NamedTuple):
     element: int
     name: str
     array: Array
-    parts: int  # how many attributes of the interface it is
+    parts: int  # the number of the interface's attributes that it is split into
 
 
 def rule_of(name: str, array: Array, at_corners: bool) -> int:
-    """How new vertices get their values if nothing is said: as the driver does with files."""
+    """The default rule for the values of new vertices, the same as the driver's for files."""
     columns = int(np.prod(array.shape[2 if at_corners else 1:]))
     if name.lower() in _NORMALS and columns == 3 and array.dtype.kind == "f":
         return c.CARRY_DIRECTION
@@ -49,14 +49,15 @@ def rule_of(name: str, array: Array, at_corners: bool) -> int:
 
 
 def fill_of(name: str, array: Array) -> float:
-    """What lids get: colours are white, everything else is 0."""
+    """The value on lids: white for colours, 0 for everything else."""
     if "col" not in name.lower() or array.shape[-1] not in (3, 4):
         return 0.0
     return 1.0 if array.dtype.kind == "f" else float(np.iinfo(array.dtype).max)
 
 
 class Carrier:
-    """The attributes of a mesh, handed to an instance, and those of the meshes that it made."""
+    """Passes the attributes of a mesh to an instance, and reads those of the meshes that the instance
+    makes."""
 
     def __init__(self, mesh: Mesh, instance: Instance, carry: Optional[Mapping[str, str]]) -> None:
         self._instance = instance
@@ -64,7 +65,7 @@ class Carrier:
         self._kept: List[Any] = []
         self._views: List[c.Attribute] = []
         parts = mesh._parts()
-        #: What the numbers of some attributes stand for, and what the file names; unchanged.
+        #: Names of the numbers of face attributes and lines of the file, which are passed on unchanged.
         self.face_names, self.references = parts.face_names, parts.references
         self.frame = parts.frame
         names = {*parts.vertex_attributes, *parts.face_attributes, *parts.corner_attributes}
@@ -78,7 +79,7 @@ class Carrier:
             pointers = (ctypes.POINTER(c.Attribute) * len(self._views))(
                 *(ctypes.pointer(view) for view in self._views))
             instance.set_attributes(pointers, len(self._views))
-        self._kept.clear()  # the plugin has copied them
+        self._kept.clear()  # the plugin has its own copies
         self._views.clear()
 
     def _add(self, element: int, name: str, array: Array) -> None:
@@ -93,7 +94,7 @@ class Carrier:
             if flat.dtype.kind != "f":
                 flat = flat.astype(np.float64)
             if columns == 1:
-                flat = np.repeat(flat, 2, axis=1)  # none has fewer than two
+                flat = np.repeat(flat, 2, axis=1)  # an attribute of corners has at least two columns
         elif flat.dtype.kind == "b":
             flat = flat.view(np.uint8) if flat.flags.c_contiguous else flat.astype(np.uint8)
         groups = _groups(flat.shape[1], _MOST_OF_CORNERS if at_corners else _MOST_COLUMNS)
@@ -111,7 +112,7 @@ class Carrier:
         self._views.append(view)
 
     def of_mesh(self, number: int) -> Tuple[Attributes, Attributes, Attributes]:
-        """Of vertices, faces and corners of a mesh of the last run."""
+        """The attributes of vertices, of faces and of corners of a mesh of the last run."""
         came: List[Tuple[int, str, Array]] = []
         self._instance.take_attributes(number, lambda one: came.append(
             (one.element, one.name.decode(), values_of(one))))
@@ -121,7 +122,7 @@ class Carrier:
             parts = [values for _, _, values in came[place:place + given.parts]]
             place += given.parts
             result[given.element][given.name] = _put_together(given, parts)
-        for element, name, values in came[place:]:  # the plugin's own
+        for element, name, values in came[place:]:  # attributes that the plugin adds itself
             result[element][name] = values
         return result[c.OF_VERTICES], result[c.OF_TRIANGLES], result[c.OF_CORNERS]
 
@@ -136,15 +137,15 @@ def _checked_rules(carry: Mapping[str, str], names: Any) -> Dict[str, int]:
 
 
 def _groups(columns: int, most: int) -> List[Tuple[int, int]]:
-    """Ranges of at most so many columns; none has one column where there are two or more."""
+    """Ranges of at most ``most`` columns; if there are two or more columns, every range has two or more."""
     count = -(-columns // most)
     bounds = [columns * k // count for k in range(count + 1)] if count else [0]
     return list(zip(bounds[:-1], bounds[1:]))
 
 
 def values_of(one: c.Attribute) -> Array:
-    """Rows as they are for vertices and faces; (faces, 3, columns) of corners. A corner that has no
-    entry, as in lids, has NaN."""
+    """Rows for vertices and for faces, (n, columns); for corners (faces, 3, columns), with NaN at corners
+    without an entry, as in lids."""
     values = _arrays.copied(one.values)
     if one.element != c.OF_CORNERS:
         return values

@@ -13,7 +13,7 @@ from ._errors import BadUsage
 from ._shading import MATERIAL
 from ._types import Array, Floats
 
-# From dark blue to yellow, equally far apart for the eye and without red, which is the drawing's.
+# From dark blue to yellow in perceptually even steps, without red, the colour of the drawing.
 _RAMP = np.array([[0.27, 0.00, 0.33], [0.28, 0.17, 0.48], [0.23, 0.32, 0.55], [0.17, 0.45, 0.56],
                   [0.13, 0.57, 0.55], [0.16, 0.69, 0.50], [0.37, 0.79, 0.38], [0.68, 0.86, 0.19],
                   [0.99, 0.91, 0.14]])
@@ -21,22 +21,22 @@ _RAMP = np.array([[0.27, 0.00, 0.33], [0.28, 0.17, 0.48], [0.23, 0.32, 0.55], [0
 
 @dataclass(frozen=True)
 class Colors:
-    """sRGB in [0, 1], (n, 3) at vertices or (m, 3) at faces."""
+    """Colours as sRGB in [0, 1]: (n, 3) at vertices or (m, 3) at faces."""
 
     values: Floats
     at_faces: bool
-    extent: Optional[Tuple[float, float]] = None  #: what the ends of the ramp stand for
+    extent: Optional[Tuple[float, float]] = None  #: the numbers at the ends of the ramp
     name: str = ""
 
 
 def ramp(values: Array) -> Floats:
-    """(k, 3) for numbers in [0, 1]."""
+    """Colours (k, 3) of the ramp for numbers in [0, 1]."""
     steps = np.linspace(0, 1, len(_RAMP))
     return np.stack([np.interp(values, steps, _RAMP[:, k]) for k in range(3)], axis=-1)
 
 
 def of(given: Any, parts: Parts, vertices: int, faces: int) -> Optional[Colors]:
-    """What show() takes as ``colors``.
+    """The colours for the argument ``colors`` of show().
 
     :raises BadUsage: for an attribute that the mesh does not have, or another shape.
     """
@@ -73,5 +73,5 @@ def _on_ramp(values: Array, at_faces: bool, name: str) -> Colors:
 
 
 def _of_label(label: int) -> Tuple[float, float, float]:
-    """Labels near each other differ clearly; each has the same colour on every mesh."""
+    """A colour for a label, the same on every mesh. Labels with close numbers differ clearly."""
     return colorsys.hsv_to_rgb(label * 0.618033988749895 % 1, 0.38 + 0.17 * (label % 2), 0.88)

@@ -19,9 +19,9 @@ _COLORS, _UV = "colors", "uv"
 
 
 def parts_of(mesh: Any) -> Parts:
-    """The lists of a mesh object.
+    """The lists of another package's mesh.
 
-    :raises BadMesh: for what is none, and for one without triangles or polygons.
+    :raises BadMesh: if the object is no mesh, or has neither triangles nor polygons.
     """
     polydata = _vtk.polydata_of(mesh)
     if polydata is not None:
@@ -38,11 +38,11 @@ def parts_of(mesh: Any) -> Parts:
 def _of_trimesh(mesh: Any) -> Parts:
     at_vertices = of_numbers(getattr(mesh, "vertex_attributes", {}))
     at_faces = of_numbers(getattr(mesh, "face_attributes", {}))
-    at_corners: Any = getattr(mesh, "corner_attributes", None)  # a Mesh of ours
+    at_corners: Any = getattr(mesh, "corner_attributes", None)  # a talweg.Mesh
     if at_corners is None:
         at_corners = getattr(mesh, "metadata", {}).get("corner_attributes", {})
     visual: Any = getattr(mesh, "visual", None)
-    kind = getattr(visual, "kind", None)  # asking for other colours would make some up
+    kind = getattr(visual, "kind", None)  # trimesh would invent colours of another kind
     if kind == "vertex":
         at_vertices.setdefault(_COLORS, np.asarray(visual.vertex_colors))
     elif kind == "face":
@@ -59,7 +59,7 @@ def _of_meshio(mesh: Any) -> Parts:
         raise BadMesh("The mesh has no triangles, quads or polygons.")
     at_vertices = of_numbers(getattr(mesh, "point_data", {}))
     data: Dict[str, List[Any]] = getattr(mesh, "cell_data", {})
-    if len(blocks) == 1 and mesh.cells[blocks[0]].type == "triangle":  # as they lie
+    if len(blocks) == 1 and mesh.cells[blocks[0]].type == "triangle":  # without a copy
         at_faces = of_numbers({name: values[blocks[0]] for name, values in data.items()})
         return Parts(mesh.points, mesh.cells[blocks[0]].data, at_vertices, at_faces)
     parts = [_triangles_of(mesh.points, np.asarray(mesh.cells[k].data)) for k in blocks]
@@ -75,7 +75,7 @@ def _triangles_of(points: Array, block: Array) -> Tuple[Array, Array]:
 
 
 def to_trimesh(parts: Parts) -> Any:
-    """A trimesh.Trimesh; attributes of corners are in its metadata."""
+    """A trimesh.Trimesh, with attributes of corners in its metadata."""
     trimesh = import_module("trimesh")
     at_vertices, at_faces = dict(parts.vertex_attributes), dict(parts.face_attributes)
     colours = {where: values.pop(_COLORS) for where, values in
@@ -96,7 +96,8 @@ def _are_colours(values: Any) -> bool:
 
 
 def to_meshio(parts: Parts) -> Any:
-    """A meshio.Mesh of triangles; it has no place for attributes of corners."""
+    """A meshio.Mesh of triangles. Attributes of corners, which meshio does not have, are left out with a
+    warning."""
     meshio = import_module("meshio")
     if parts.corner_attributes:
         _log.warning("meshio has no attributes of corners: %s left out.",

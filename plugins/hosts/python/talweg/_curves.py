@@ -1,4 +1,4 @@
-"""Curves on meshes, as they are given and as they come out."""
+"""Curves on meshes, as input and as results."""
 
 from __future__ import annotations
 
@@ -18,27 +18,26 @@ from ._types import Array, ArrayLike, Floats
 class Curve:
     """A curve on a mesh.
 
-    Given to Talweg, its points are the first of these that is there: ``vertices``; ``faces`` with
-    ``barycentrics``; ``positions``, which are moved to the nearest points of the mesh. Points that
-    do not share a triangle with the next one are joined straight over the surface; ``vertices``
-    must be neighbours (``talweg.draw`` joins those that are not).
+    As input, the points are given by the first present of: ``vertices``; ``faces`` with ``barycentrics``;
+    ``positions``, which are moved to the nearest points of the mesh. Consecutive points without a common
+    triangle are joined straight over the surface. Consecutive ``vertices`` must be neighbours
+    (``talweg.draw`` joins others).
 
-    From Talweg it has all of them. Each point and the next lie in one triangle, the one in
-    ``faces``.
+    A result has all of these members. Each point and the next lie in one triangle, which ``faces`` names.
     """
 
-    vertices: Optional[ArrayLike] = None  #: (n,) vertex numbers; from Talweg -1 where at no vertex
+    vertices: Optional[ArrayLike] = None  #: (n,) vertex numbers; in results -1 at points that are no vertex
     faces: Optional[ArrayLike] = None  #: (n,) triangle numbers
     barycentrics: Optional[ArrayLike] = None  #: (n, 3), >= 0, rows sum to 1
     positions: Optional[ArrayLike] = None  #: (n, 3), mesh units
-    closed: bool = False  #: a closed curve does not repeat its first point
-    pins: Sequence[int] = ()  #: indices of points that shall stay where they are
-    #: From Talweg, if asked for: (n,) each; "deviation" in mesh units, "curvature" in radians
+    closed: bool = False  #: whether the last point is joined to the first, which is not repeated
+    pins: Sequence[int] = ()  #: indices of points that must not move
+    #: In results, if requested: (n,) each; "deviation" in mesh units, "curvature" in radians
     fields: Dict[str, Array] = field(default_factory=dict)
-    #: Which points are meant exactly, as clicks are: True for all, or a tolerance in mesh units for
-    #: all; or (n,) of True and False; or (n,) of tolerances, -1 where nothing is said of a point and
-    #: -2 where it was painted. None: nothing is said, and the curve is a stroke. From Talweg and from
-    #: files (n,) numbers, -3 at control points of another program.
+    #: Which points are way-points, which the result must pass. None: none; the curve is a stroke. True: all.
+    #: A number: all, within this tolerance in mesh units. (n,) booleans, or (n,) tolerances, with -1 at
+    #: points that are not marked and -2 at painted ones. Results and files have (n,) numbers, with -3 at
+    #: control points of another program.
     exact: Union[None, bool, float, ArrayLike] = None
 
     def __len__(self) -> int:
@@ -65,9 +64,9 @@ CurveLike = Union[Curve, ArrayLike]
 
 
 def as_curve(given: CurveLike, closed: bool = False) -> Curve:
-    """A Curve as it is; (n,) whole numbers as vertices; (n, 3) real numbers as positions.
+    """A Curve unchanged; (n,) whole numbers as vertices; (n, 3) real numbers as positions.
 
-    Vertices that repeat the first one at the end are a closed curve.
+    Vertices whose last repeats the first are a closed curve.
 
     :raises BadCurve: for anything else.
     """
@@ -92,16 +91,16 @@ def as_curve(given: CurveLike, closed: bool = False) -> Curve:
 
 
 def as_curves(given: Union[CurveLike, Sequence[Curve]], closed: bool = False) -> List[Curve]:
-    """A list or tuple of Curve as a set; anything else as one curve."""
+    """A list or tuple of Curve as several curves; anything else as one curve."""
     if isinstance(given, (list, tuple)) and any(isinstance(one, Curve) for one in given):
         return [as_curve(one) for one in given]
     return [as_curve(given, closed)]
 
 
 def marks(curve: Curve) -> Optional[Floats]:
-    """What ``exact`` says, as one number for each point; None where it says nothing.
+    """``exact`` as one number for each point, (n,); None if it is None or False.
 
-    :raises BadCurve: if it is no such thing.
+    :raises BadCurve: if ``exact`` has another type or shape.
     """
     if curve.exact is None or curve.exact is False:
         return None
@@ -142,7 +141,7 @@ def _keep(curve: c.Curve, name: str, values: Any, columns: int, kept: List[Any])
 
 
 def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
-    """What set_curves takes, and what must be kept as long as it is looked at."""
+    """The argument of set_curves, and the arrays that must be kept while it is used."""
     kept: List[Any] = []
     pointers = (ctypes.POINTER(c.Curve) * len(curves))()
     for k, given in enumerate(curves):
@@ -156,7 +155,7 @@ def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
                     raise BadCurve("A curve needs both faces and barycentrics, or neither.")
                 _keep(curve, name, values, columns, kept)
         elif given.vertices is not None:
-            _keep(curve, "vertices", given.vertices, 1, kept)  # refused, with a sentence
+            _keep(curve, "vertices", given.vertices, 1, kept)  # set_curves refuses a -1, with a sentence
         elif given.positions is not None:
             _keep(curve, "positions", given.positions, 3, kept)
         if len(given.pins) > 0:
@@ -168,7 +167,7 @@ def views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
 
 
 def whole_views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
-    """The same of results, with all that they have, for writing them."""
+    """Views of results with all their members, for writing, and the arrays that must be kept."""
     kept: List[Any] = []
     pointers = (ctypes.POINTER(c.Curve) * len(curves))()
     for k, given in enumerate(curves):
@@ -187,7 +186,7 @@ def whole_views(curves: Sequence[Curve]) -> Tuple[Any, List[Any]]:
 
 
 def copied_input(curve: c.Curve) -> Curve:
-    """A curve as it was given: vertices, or faces and barycentrics, or positions."""
+    """A plugin's input curve: vertices, or faces and barycentrics, or positions."""
     return Curve(
         _arrays.copied_indices(curve.vertices) if curve.vertices.rows else None,
         _arrays.copied_indices(curve.faces) if curve.faces.rows else None,
@@ -198,7 +197,7 @@ def copied_input(curve: c.Curve) -> Curve:
 
 
 def copied(curve: c.Curve) -> Curve:
-    """A curve that a plugin gives."""
+    """A plugin's result curve."""
     fields = _copied_fields(curve)
     exact = fields.pop(c.EXACT.decode(), None)
     return Curve(_arrays.copied_indices(curve.vertices), _arrays.copied_indices(curve.faces),

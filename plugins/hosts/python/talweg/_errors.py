@@ -6,7 +6,7 @@ from typing import Dict, Type
 
 
 class Error(Exception):
-    """Base of all of them; ``str(error)`` is one sentence fit for people.
+    """Base of Talweg's exceptions; ``str(error)`` is a sentence for the user.
 
     ``code`` is the status of ``talweg_plugin.h``, e.g. 3 for ``TALWEG_BAD_CURVE``.
     """
@@ -15,19 +15,19 @@ class Error(Exception):
 
 
 class BadUsage(Error, ValueError):
-    """An argument or a parameter is wrong, or calls came in a wrong order."""
+    """An argument or a parameter is wrong, or a call came at the wrong time."""
 
     code = 1
 
 
 class BadMesh(Error, ValueError):
-    """The mesh is not a surface that can be worked on."""
+    """The mesh is not a surface on which curves can be drawn."""
 
     code = 2
 
 
 class BadCurve(Error, ValueError):
-    """A curve does not lie on the mesh, or not properly."""
+    """A curve does not lie on the mesh, or has too few points, or crosses itself where it must not."""
 
     code = 3
 
@@ -57,19 +57,19 @@ class Cancelled(Error):
 
 
 class Unsupported(Error, NotImplementedError):
-    """The plugin does not do that."""
+    """The plugin does not have this function, or a program or package that is needed is missing."""
 
     code = 9
 
 
 class Internal(Error):
-    """The plugin's own fault."""
+    """The plugin returned a result that the interface forbids, or failed by its own fault."""
 
     code = 10
 
 
 class PluginNotFound(Error, ImportError):
-    """No plugin of that id was found; the sentence names the folders and what was refused."""
+    """There is no plugin with this id; the sentence names the searched folders and the refused modules."""
 
     code = 4
 
@@ -82,6 +82,6 @@ _BY_CODE: Dict[int, Type[Error]] = {
 
 
 def error_of(code: int, sentence: str) -> Error:
-    """The exception for a status; a status that is not known counts as the plugin's own fault."""
+    """The exception for a status. An unknown status becomes Internal."""
     kind = _BY_CODE.get(code, Internal)
     return kind(sentence or f"The plugin gave the status {code} and no reason.")

@@ -1,4 +1,4 @@
-"""Curve files: the extension of talweg.draw that reads and writes the driver's formats."""
+"""Curve files: reads and writes the driver's formats through an extension of the plugin talweg.draw."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _extension() -> Any:
 
 
 def _mesh_view(mesh: Optional[Mesh]) -> Any:
-    """The mesh for the functions; it must outlive the view."""
+    """A view of the mesh for the extension's functions; the mesh must outlive the view."""
     if mesh is None:
         return None
     return byref(c.Mesh(size=sizeof(c.Mesh), positions=_arrays.view(mesh.vertices),
@@ -40,7 +40,7 @@ def _frame(mesh_unit: Optional[str], mesh: Optional[Mesh]) -> bytes:
 
 
 def extension(plugin_id: str, extension_id: bytes, struct: Any, what: str) -> Any:
-    """The functions of a plugin that reads and writes files."""
+    """The functions of a plugin's extension that reads and writes files."""
     plugin = _plugins.plugin(plugin_id)
     address = plugin.table.get_extension(extension_id)
     if not address:
@@ -49,7 +49,7 @@ def extension(plugin_id: str, extension_id: bytes, struct: Any, what: str) -> An
 
 
 def checked(call: Callable[[Any], Any]) -> str:
-    """Runs a call that tells what is wrong in a message, or what it did: that is returned.
+    """Runs a call that fills a message buffer; returns the message, which is a note if the call succeeded.
 
     :raises Error: of the kind of its status.
     """
@@ -63,17 +63,18 @@ def checked(call: Callable[[Any], Any]) -> str:
 
 def read_curves(path: Path, mesh_unit: Optional[str] = None, *,
                 mesh: Optional[Mesh] = None) -> List[Curve]:
-    """The curves of a file, for smooth() and the others.
+    """The curves of a file, as input of smooth() and the other functions.
 
     :param path: .obj, .ply, .vtp, .vtk, .mrk.json and .fcsv (3D Slicer), .border
         (connectome-workbench, with ``mesh``), .json (ours) or .txt (vertices).
-    :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...), or its ``Mesh.frame``, which
-        names its space, too ("mm RAS"): files of 3D Slicer name theirs and are converted to it. What
-        was converted is told in the logger ``talweg``. None: that of ``mesh``, or millimetres.
+    :param mesh_unit: the unit of the mesh ("mm", "cm", "m", "um", ...), or its ``Mesh.frame``, which also has
+        its space ("mm RAS"). Curves of 3D Slicer are converted to this unit and space, with a note in the
+        logger ``talweg``. None: the frame of ``mesh``; without one, millimetres.
     :param mesh: the mesh of the curves. A .border names the vertices around each point, which become
         points in its faces.
-    :raises BadFile: with file, line, and what was expected. Nothing else is checked against a mesh.
-    :raises BadCurve: where a .border has a point between vertices that no face of ``mesh`` has.
+    :raises BadFile: if the file cannot be read; with file, line, and the expected text. Indices are not
+        checked against the mesh, except those of a .border.
+    :raises BadCurve: if no face of ``mesh`` has the three vertices of a point of a .border.
     """
     curves: List[Curve] = []
     failures: List[BaseException] = []
@@ -82,7 +83,7 @@ def read_curves(path: Path, mesh_unit: Optional[str] = None, *,
         try:
             curves.append(_curves.copied_input(curve.contents))
             return c.OK
-        except BaseException as error:  # raised again below
+        except BaseException as error:  # raised again after the call
             failures.append(error)
             return c.HOST_FAILED
 
@@ -102,17 +103,17 @@ def read_curves(path: Path, mesh_unit: Optional[str] = None, *,
 
 def write_curves(path: Path, curves: Union[Curve, Sequence[Curve]],
                  mesh_unit: Optional[str] = None, *, mesh: Optional[Mesh] = None) -> None:
-    """Writes curves as they come from Talweg; the same bytes as the driver's.
+    """Writes curves of results, with the same bytes as the driver.
 
-    :param path: its extension tells the format, as for read_curves(). .json keeps everything; .txt
-        needs curves whose points are all at vertices.
-    :param mesh_unit: the unit of the mesh, which .mrk.json files name, or its ``Mesh.frame``: files
-        of 3D Slicer are written in LPS. None: that of ``mesh``, or millimetres.
+    :param path: its extension names the format, as for read_curves(). .json keeps everything; .txt needs
+        curves whose points are all at vertices.
+    :param mesh_unit: the unit of the mesh, which .mrk.json files name, or its ``Mesh.frame``: files of 3D
+        Slicer are written in LPS. None: the frame of ``mesh``; without one, millimetres.
     :param mesh: the mesh of the curves, which .border files need.
-    :raises BadFile: if the file cannot be written; it is as it was then.
+    :raises BadFile: if the file cannot be written; an existing file stays unchanged.
     """
     pointers, kept = _curves.whole_views([curves] if isinstance(curves, Curve) else curves)
     checked(lambda message: _extension().write(os.fsencode(path), _frame(mesh_unit, mesh),
                                                _mesh_view(mesh), pointers, len(pointers), message,
                                                _MESSAGE_SIZE))
-    del kept  # until here
+    del kept  # the arrays were needed up to this line

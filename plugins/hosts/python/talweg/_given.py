@@ -1,4 +1,4 @@
-"""What a plugin gives is checked: somebody else's plugin may give nonsense."""
+"""Checks of a plugin's results: a plugin by others may return nonsense."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ _ROUNDING = 1e-6
 
 
 class Limits(NamedTuple):
-    """What numbers in results may refer to: the plugin's mesh, and the curves that were set."""
+    """The bounds of indices in results: vertices and faces of the plugin's mesh, and the number of input
+    curves."""
 
     vertices: int = 0
     faces: int = 0
@@ -23,7 +24,7 @@ class Limits(NamedTuple):
 
 
 def guarded(plugin: str, take: Callable[[Any], None]) -> Callable[[Any], None]:
-    """``take``, with everything that what was given makes go wrong as Internal."""
+    """``take`` with its exceptions turned into Internal, which names the plugin."""
 
     def taken(given: Any) -> None:
         try:
@@ -62,7 +63,10 @@ def _check_triples(array: Array, what: str) -> None:
 
 
 def check_curve(curve: Curve, limits: Limits) -> Curve:
-    """:raises ValueError: for what is no curve on the mesh."""
+    """Checks a curve of a result.
+
+    :raises ValueError: if its arrays do not describe a curve on the mesh.
+    """
     what = "A curve's list of "
     vertices, faces = curve.vertices, curve.faces
     weights, positions = curve.barycentrics, curve.positions
@@ -84,21 +88,30 @@ def check_curve(curve: Curve, limits: Limits) -> Curve:
 
 
 def check_field(name: str, values: Array, limits: Limits) -> Array:
-    """:raises ValueError: unless it has a value for each vertex, or for each face."""
+    """Checks a field of a result.
+
+    :raises ValueError: unless it has a value for each vertex, or for each face.
+    """
     if len(values) != limits.faces:
         _check_rows(values, limits.vertices, f"The field {name}")
     return values
 
 
 def check_mesh(vertices: Array, faces: Array) -> None:
-    """:raises ValueError: for what is no list of vertices and of faces of them."""
+    """Checks the lists of a made mesh.
+
+    :raises ValueError: unless they are (n, 3) positions and (m, 3) indices of vertices.
+    """
     _check_triples(vertices, "A mesh's list of positions")
     _check_triples(faces, "A mesh's list of triangles")
     _check_indices(faces, len(vertices), "A mesh's list of triangles")
 
 
 def check_entry(entry: c.ReportEntry, curves: int) -> None:
-    """:raises ValueError: for an entry of a report that cannot be read."""
+    """Checks an entry of a report.
+
+    :raises ValueError: if its key is null, its curve unknown, or its value unreadable.
+    """
     if entry.key is None:
         raise ValueError("A key of the report is null.")
     what = f"The report's entry {entry.key.decode()}"
@@ -114,7 +127,10 @@ def check_entry(entry: c.ReportEntry, curves: int) -> None:
 
 
 def check_origin(origin: Any, limits: Limits) -> None:
-    """:raises ValueError: for numbers that are none of the mesh that it was made of."""
+    """Checks the origin of a made mesh.
+
+    :raises ValueError: if an index is out of the bounds of the original mesh, or a shape is wrong.
+    """
     _check_rows(origin.weights, len(origin.vertices), "The weights of an origin")
     _check_triples(origin.weights, "The weights of an origin")
     _check_indices(origin.vertices, limits.vertices, "The vertices of an origin", -1)

@@ -1,4 +1,4 @@
-"""One instance of a plugin: calls that end in a result or an exception."""
+"""One instance of a plugin: calls that return a result or raise an exception."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from ._plugins import Parameter, Plugin
 from ._types import Array, Progress
 
 _log = logging.getLogger("talweg")
-_log.addHandler(logging.NullHandler())  # nothing is printed unless the program sets logging up
+_log.addHandler(logging.NullHandler())  # without logging by the program nothing is printed
 _LEVELS = {c.LOG_DEBUG: logging.DEBUG, c.LOG_INFO: logging.INFO, c.LOG_WARNING: logging.WARNING,
            c.LOG_ERROR: logging.ERROR}
 
 
 Lists = Tuple[Array, Array]  # vertices and faces
-_GIVEN_UP: List["Instance"] = []  # there until the program ends
+_GIVEN_UP: List["Instance"] = []  # abandoned instances, kept until the program ends
 
 
 class _Host:
-    """What we offer to an instance: progress and log. Lives as long as the instance."""
+    """The host's callbacks for an instance: progress and log. It lives as long as the instance."""
 
     def __init__(self, version: str) -> None:
         self.progress: Optional[Progress] = None
-        self.failure: Optional[BaseException] = None  # what the progress callback raised
-        # ctypes' own callbacks must not hold this object: a circle would keep instances alive.
+        self.failure: Optional[BaseException] = None  # the exception of the progress callback
+        # The callbacks of ctypes must not own this object: a cycle would keep instances alive.
         me = weakref.ref(self)
 
         def on_progress(_host: int, stage: bytes, fraction: float) -> int:
@@ -40,7 +40,7 @@ class _Host:
                 return 1
             try:
                 return 0 if host.progress(stage.decode(), fraction) is False else 1
-            except BaseException as error:  # raised again when the call has ended
+            except BaseException as error:  # raised again after the call
                 host.failure = error
                 return 0
 
@@ -57,7 +57,7 @@ class _Host:
 
 
 class _Collector:
-    """The sink's other side: copies what comes."""
+    """The receiver of results: copies each part that the plugin passes to the sink."""
 
     def __init__(self, plugin: str, limits: _given.Limits) -> None:
         self._plugin = plugin
@@ -114,7 +114,7 @@ class _Collector:
 
 
 class Instance:
-    """Calls on one instance; one at a time, and a second one meanwhile is refused."""
+    """Calls on one instance, one at a time; a second call at the same time is refused."""
 
     def __init__(self, plugin: Plugin, version: str) -> None:
         self.plugin = plugin
@@ -123,14 +123,14 @@ class Instance:
         status = plugin.table.create(byref(self._host.struct), byref(self._handle))
         if status != c.OK:
             raise error_of(status, f"{plugin.id}: an instance could not be made.")
-        self._calls: List[object] = []  # at most one works; others are on their way to be refused
+        self._calls: List[object] = []  # the running call first; later ones are about to be refused
         self.limits = _given.Limits()
         self._given_up = False
-        # The host's struct must outlive the instance, so it is handed over as well.
+        # The host's struct must outlive the instance, so the finalizer holds it.
         self._end = weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
 
     def cancel(self) -> None:
-        """From any thread: a call that runs ends soon, with Cancelled."""
+        """From any thread: the running call ends soon, with Cancelled."""
         self.plugin.table.cancel(self._handle)
 
     def set_mesh(self, vertices: Array, faces: Array,
@@ -148,11 +148,11 @@ class Instance:
         pointers, kept = _curves.views(curves)
         self._long(lambda: self.plugin.table.set_curves(self._handle, pointers, len(curves)),
                    progress)
-        del kept  # until here
+        del kept  # the arrays were needed up to this line
         self.limits = self.limits._replace(curves=len(curves))
 
     def set(self, parameter: Parameter, value: Any) -> None:
-        """A value as the parameter's description wants it; None is none, or the default."""
+        """Sets a parameter from a Python value; None sets its default, or no value."""
         table, id = self.plugin.table, parameter.id.encode()
         if value is None:
             self._short(lambda: table.reset(self._handle, id))
@@ -173,12 +173,13 @@ class Instance:
 
     def run_with_meshes(self, vertex_fields: bool, progress: Optional[Progress],
                         point_fields: bool = False) -> Tuple[_results.Result, List[Lists]]:
-        """The result, and the lists of the meshes that were made."""
+        """The result, and the lists of the made meshes."""
         collector = self._run(point_fields, vertex_fields, True, progress)
         return collector.result(), collector.meshes
 
     def takes_attributes(self) -> bool:
-        """Whether the plugin carries attributes to meshes that it makes, and tells their origin."""
+        """Whether the plugin interpolates attributes for the meshes that it makes, and returns their
+        origin."""
         address = self.plugin.table.get_extension(c.MESHES)
         return bool(address) and bool(c.Meshes.from_address(address).takes & c.TAKES_ATTRIBUTES)
 
@@ -187,7 +188,7 @@ class Instance:
         self._short(lambda: extension.set_attributes(self._handle, views, count))
 
     def take_attributes(self, mesh: int, take: Callable[[Any], None]) -> None:
-        """Of a mesh of the last run, one after the other."""
+        """Passes each attribute of a mesh of the last run to ``take``."""
         self._take(self._meshes().attributes, mesh, c.AttributeFunction, take)
 
     def take_origin(self, mesh: int, take: Callable[[Any], None]) -> None:
@@ -207,7 +208,7 @@ class Instance:
             try:
                 checked(given.contents)
                 return c.OK
-            except BaseException as error:  # raised again below
+            except BaseException as error:  # raised again after the call
                 failures.append(error)
                 return c.HOST_FAILED
 
@@ -250,7 +251,7 @@ class Instance:
         self._exclusively(lambda: _interruptible.call(work, ends, progress))
 
     def _give_up(self) -> None:
-        """The call goes on in its thread for ever: what it uses must stay."""
+        """Abandons the instance: its call never ends, so everything that the call uses must be kept."""
         _log.error("The plugin %s did not end when it was cancelled, and is given up.",
                    self.plugin.id)
         self._given_up = True
@@ -261,7 +262,7 @@ class Instance:
         self._exclusively(lambda: self._checked(function))
 
     def _exclusively(self, body: Callable[[], Any]) -> None:
-        # No lock: Ctrl-C between acquiring it and the next line would leave it locked for good.
+        # No lock: Ctrl-C between its acquisition and the next line would leave it locked for ever.
         if self._given_up:
             raise Internal(f"The plugin {self.plugin.id} has never ended its last call here; make a "
                            "new mesh or workspace.")

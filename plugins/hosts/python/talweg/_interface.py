@@ -1,7 +1,7 @@
 """The plugin interface 1.2 (``talweg_plugin.h``, ``talweg_curve_files.h``, ``talweg_way_points.h``,
-``talweg_meshes.h``, ``talweg_mesh_files.h``) in ctypes, nothing else.
+``talweg_meshes.h``, ``talweg_mesh_files.h``) as ctypes.
 
-Function pointers made here release Python's lock while they run, and take it for callbacks.
+Function pointers of this module release Python's global lock while they run; callbacks acquire it.
 ``tests/hosts/python/test_interface.py`` compares the members with the header.
 """
 

@@ -1,9 +1,9 @@
 """Long calls that Ctrl-C ends.
 
-Python runs signal handlers on the main thread only, and only between its own instructions. So a
-call from the main thread works on a thread of its own while the main thread waits, where Ctrl-C
-reaches it at once; it then cancels the work, and raises KeyboardInterrupt when the work has ended.
-Work that never ends, such as a faulty plugin's, is left to itself at the next Ctrl-C.
+Python runs signal handlers on the main thread only, and only between its own instructions. A call from the
+main thread therefore runs on a thread of its own, while the main thread waits, where Ctrl-C reaches it at
+once. The main thread then cancels the work, and raises KeyboardInterrupt after its end. A second Ctrl-C
+abandons work that does not end, such as a faulty plugin's.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from ._types import Progress
 
 
 class _Bar:
-    """A tqdm bar as a callback: each stage moves it from 0 to its total."""
+    """A tqdm bar as a callback; each stage moves the bar from 0 to its total."""
 
     def __init__(self, bar: Any) -> None:
         self.bar = bar
@@ -32,7 +32,7 @@ class _Bar:
 
 
 def as_progress(progress: Any) -> Optional[Progress]:
-    """A callback as it is; a tqdm bar as a callback that moves it."""
+    """A callback unchanged; a tqdm bar as a callback that moves it."""
     if progress is None or callable(progress):
         return progress  # type: ignore[no-any-return]
     if hasattr(progress, "refresh") and hasattr(progress, "set_description"):
@@ -71,18 +71,19 @@ class _Task:
 
 
 class Ends(NamedTuple):
-    """The two ways in which work ends before its time."""
+    """How work is ended early."""
 
-    cancel: Callable[[], None]  #: asks it to
-    give_up: Callable[[], None]  #: what is to be done when it is left to itself
+    cancel: Callable[[], None]  #: asks the work to end
+    give_up: Callable[[], None]  #: is called when the work is abandoned
 
 
-_TWICE_IS_MEANT = 0.5  # seconds; timeout(1) and others send a signal twice in quick succession
+_TWICE_IS_MEANT = 0.5  # seconds within which a second Ctrl-C does not count: timeout(1) and others send the
+                       # signal twice
 
 
 def _stop(task: _Task, ends: Ends) -> None:
-    """Returns when the work has ended, or is given up. A cancel() before the plugin is at work is
-    lost, so again."""
+    """Waits for the end of the work after a cancel. The cancel is repeated, since one before the start of the
+    plugin's run is lost. Another Ctrl-C abandons the work."""
     began = time.monotonic()
     while True:
         try:
@@ -99,8 +100,8 @@ def _stop(task: _Task, ends: Ends) -> None:
 
 def call(work: Callable[[Optional[Progress]], Any], ends: Ends,
          progress: Optional[Progress]) -> Any:
-    """work(progress), with progress called on the caller's thread. What progress raises, and
-    Ctrl-C, end the work and come out of here."""
+    """Runs work(progress) with progress called on the caller's thread. An exception of progress, or Ctrl-C,
+    ends the work and is raised by call()."""
     if threading.current_thread() is threading.main_thread():
         result = _interruptibly(work, ends, progress)
     else:
@@ -118,7 +119,7 @@ def _interruptibly(work: Callable[[Optional[Progress]], Any], ends: Ends,
         while True:
             try:
                 message = task.messages.get(timeout=0.1)
-            except queue.Empty:  # looked at now and then: a signal may have come on another thread
+            except queue.Empty:  # timeouts let Python handle signals that arrived on another thread
                 continue
             if message is None:
                 break
@@ -128,5 +129,5 @@ def _interruptibly(work: Callable[[Optional[Progress]], Any], ends: Ends,
         _stop(task, ends)
         raise
     if task.error is not None:
-        raise task.error.with_traceback(None)  # the other thread's frames tell nothing
+        raise task.error.with_traceback(None)  # frames of the other thread would not help the user
     return task.result

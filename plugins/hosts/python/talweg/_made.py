@@ -1,4 +1,4 @@
-"""Meshes that Talweg makes of others, and where everything of them comes from."""
+"""Meshes that Talweg makes from others, with the origin of their vertices and faces."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from ._types import Array, ArrayLike, Floats, Integers, Progress
 
 @dataclass(frozen=True, eq=False)
 class Origin:
-    """Where a mesh comes from, in the numbers of the mesh that it was made of.
+    """The origin of a made mesh in the original mesh.
 
-    Each vertex lies at ``weights`` between ``vertices`` of one triangle; one that was there has
-    itself with the weight 1, and one that comes from nowhere (inside a lid) has none.
+    Each vertex is the combination of ``vertices`` of one original triangle with ``weights``. An original
+    vertex has itself with the weight 1; a vertex inside a lid has no origin, and weights of 0.
     """
 
-    vertices: Integers  #: (n, 3); -1 where fewer are needed
-    weights: Floats  #: (n, 3), >= 0; their sum is 1, or 0 for vertices from nowhere
-    faces: Integers  #: (m,), the face that each is a part of; -1: from nowhere
+    vertices: Integers  #: (n, 3), original vertices; -1 for fewer than three
+    weights: Floats  #: (n, 3), >= 0; rows sum to 1, or to 0 without an origin
+    faces: Integers  #: (m,), the original face that each is a part of; -1: none
 
     def interpolate(self, values: ArrayLike) -> Floats:
-        """What has a row for each vertex of the old mesh, for each of the new one: linearly between
-        them, and 0 for vertices from nowhere."""
+        """Interpolates values (vertices of the original, ...) linearly to the made mesh, (n, ...); 0 at
+        vertices without an origin."""
         rows = np.asarray(values, dtype=np.float64)[np.maximum(self.vertices, 0)]
         weights = self.weights.reshape(self.weights.shape + (1,) * (rows.ndim - 2))
         return np.asarray((rows * weights).sum(axis=1))
@@ -37,32 +37,32 @@ class Origin:
 
 @dataclass(frozen=True, eq=False)
 class Chain:
-    """A curve as a chain of vertices along edges of a mesh; each place and the next share an edge
-    if they are in this mesh."""
+    """A curve as a chain of vertices along edges of a made mesh. Consecutive places share an edge if both are
+    in this mesh."""
 
     closed: bool
-    length: int  #: how many places it has
-    #: (k,), 0 <= place < length, ascending: all of them, once, unless the mesh was taken apart. An
-    #: opened seam has two vertices or more at a place; a place that is in another piece has none.
+    length: int  #: number of places along the curve
+    #: (k,), 0 <= place < length, ascending. A cut mesh has each place once; an opened seam has two or more
+    #: vertices at a place; a piece lacks the places in other pieces.
     places: Integers
-    vertices: Integers  #: (k,), a vertex at each of these
+    vertices: Integers  #: (k,), the vertex for each entry of ``places``
 
 
 class MadeMesh(Mesh):
-    """A mesh that was made of another one: a ``Mesh`` with attributes carried over and its origin.
+    """A mesh that was made from another one: a ``Mesh`` with interpolated attributes and its origin.
 
-    It is opened when it is first used.
+    It is opened at its first use.
     """
 
-    origin: Origin  #: where it comes from
-    chains: List[Chain]  #: one for each curve
+    origin: Origin  #: the origin of its vertices and faces
+    chains: List[Chain]  #: a chain for each curve
 
 
 def run(mesh: Mesh, instance: Instance, carry: Optional[Mapping[str, str]],
         fields: Tuple[bool, bool], progress: Optional[Progress]) -> Result:
-    """A run of any plugin, with the meshes that it makes.
+    """Runs a plugin and returns its result with the meshes that it made.
 
-    :param fields: whether those of points and of vertices are wanted.
+    :param fields: whether fields of points, and of vertices, are requested.
     """
     point_fields, vertex_fields = fields
     carrier = Carrier(mesh, instance, carry) if instance.takes_attributes() else None
@@ -79,7 +79,7 @@ def run(mesh: Mesh, instance: Instance, carry: Optional[Mapping[str, str]],
 
 
 def made_meshes(instance: Instance, carrier: Carrier, lists: List[Lists]) -> List[MadeMesh]:
-    """The meshes of the instance's last run."""
+    """The meshes of the instance's last run, with attributes and origins."""
     return [_made(instance, carrier, number, vertices, faces)
             for number, (vertices, faces) in enumerate(lists)]
 

@@ -1,4 +1,4 @@
-"""Meshes, opened once."""
+"""Triangle meshes, opened once and shared."""
 
 from __future__ import annotations
 
@@ -23,25 +23,24 @@ if TYPE_CHECKING:
 
 
 class Mesh:
-    """A triangle mesh, opened: checked and copied once, then shared by all that works on it.
+    """An opened triangle mesh: checked and copied once, then shared by all workspaces on it.
 
     :param vertices: (n, 3) real numbers, float64 or float32, mesh units. Or, without ``faces``, a
         pair (vertices, faces), a file as for read_mesh(), or a mesh of trimesh, meshio, VTK
         (``vtkPolyData``), PyVista or vedo, with its attributes; polygons become triangles.
     :param faces: (m, 3) whole numbers, counterclockwise from outside.
     :param vertex_attributes: arrays of numbers by name, of shape (n, ...).
-    :param face_attributes: (m, ...) each.
-    :param corner_attributes: (m, 3, ...) each: the corners of the faces, in their order.
-    :param repair: True, or some of the steps "weld", "drop", "orient" and "split" as "weld,drop": the
-        mesh is made a surface before it is worked on. Curves and results have the numbers of
-        the arrays, and so have attributes.
-    :raises BadMesh: if it is no oriented manifold; the sentence says where.
-    :raises BadUsage: for an attribute of another shape, or one that holds no numbers.
+    :param face_attributes: arrays by name, (m, ...) each.
+    :param corner_attributes: arrays by name, (m, 3, ...) each: a row for each corner of each face.
+    :param repair: True, or some of the steps "weld", "drop", "orient" and "split" as "weld,drop": the mesh is
+        repaired to a surface when it is opened. Curves, results and attributes keep the numbering of the
+        given arrays.
+    :raises BadMesh: if the mesh is no oriented manifold; the sentence says where.
+    :raises BadUsage: for an attribute of another shape, or one without numbers.
 
-    The arrays are not copied on our side where the interface can read them as they are (any
-    strides of rows; float32, float64; 32- and 64-bit integers). They are looked at again when
-    another plugin is first used, so leave them unchanged. Any thread may use the mesh; a
-    workspace belongs to one at a time. A pickled mesh is opened again when it is first used.
+    Arrays of float32, float64, and 32- and 64-bit integers with any stride of rows are not copied in Python;
+    each plugin reads them at its first use, so leave them unchanged. Any thread may use the mesh; a workspace
+    belongs to one thread at a time. A pickled mesh is opened again at its first use.
     """
 
     def __init__(self, vertices: Any, faces: Optional[ArrayLike] = None, *,
@@ -50,7 +49,7 @@ class Mesh:
                  corner_attributes: Optional[Mapping[str, ArrayLike]] = None,
                  repair: Union[None, bool, str] = None, progress: Any = None,
                  plugin: str = "talweg.smooth") -> None:
-        #: What is done before the mesh is worked on: False, True, or steps as "weld=1e-4,drop"
+        #: The repair at the opening of the mesh: False, True, or steps such as "weld=1e-4,drop"
         self.repair_steps = _repair_steps.checked(repair)
         parts = _parts_of(vertices) if faces is None else Parts(vertices, faces)
         self.vertices = _arrays.readable(parts.vertices, 3, "The mesh's vertices", BadMesh)
@@ -58,13 +57,13 @@ class Mesh:
         self._keep_attributes({**parts.vertex_attributes, **(vertex_attributes or {})},
                               {**parts.face_attributes, **(face_attributes or {})},
                               {**parts.corner_attributes, **(corner_attributes or {})})
-        #: What the numbers of a face attribute stand for, by its name: groups and materials of OBJ
+        #: Texts for the numbers of a face attribute, by the attribute's name: groups and materials of OBJ
         #: files ("g", "o", "usemtl", "s")
         self.face_names = {name: list(texts) for name, texts in parts.face_names.items()}
         #: Lines of an OBJ file that name other files: ["mtllib bone.mtl"]
         self.references = list(parts.references)
-        #: What a file says of its coordinates, for read_curves() and write_curves(): a unit ("mm"), a
-        #: space of patients ("RAS" or "LPS"), both ("mm RAS"), or nothing ("")
+        #: Unit and space of the coordinates in the mesh's file, for read_curves() and write_curves(): a unit
+        #: ("mm"), an anatomical space ("RAS" or "LPS"), both ("mm RAS"), or nothing ("")
         self.frame = parts.frame
         self._begin()
         try:
@@ -78,7 +77,7 @@ class Mesh:
                          at_faces: Mapping[str, ArrayLike],
                          at_corners: Mapping[str, ArrayLike]) -> None:
         n, m = len(self.vertices), len(self.faces)
-        #: Arrays by name, with a row for each vertex, face, or (m, 3, ...) corner; may be changed.
+        #: Arrays by name, with a row for each vertex, face, or corner (m, 3, ...); may be changed.
         self.vertex_attributes = _attributes.checked(at_vertices, (n,), "vertex")
         self.face_attributes = _attributes.checked(at_faces, (m,), "face")
         self.corner_attributes = _attributes.checked(at_corners, (m, 3), "corner")
@@ -89,7 +88,7 @@ class Mesh:
         self._closed: Optional[Mesh] = None
 
     def _as_closed(self) -> Mesh:
-        """The same mesh, to be opened when it is used: results keep it, and not all that is open."""
+        """The same mesh unopened. Results hold this one, which keeps no opened plugin alive."""
         with self._opening:
             if self._closed is None:
                 self._closed = Mesh.__new__(Mesh)
@@ -121,27 +120,26 @@ class Mesh:
         return _convert.to_trimesh(self._parts())
 
     def to_meshio(self) -> Any:
-        """A ``meshio.Mesh`` with point and cell data; attributes of corners have no place there.
+        """A ``meshio.Mesh`` with point and cell data; attributes of corners are left out.
 
         :raises ImportError: without meshio. :raises BadUsage: for wrong attributes.
         """
         return _convert.to_meshio(self._parts())
 
     def to_vtk(self) -> Any:
-        """A ``vtkPolyData`` with point and cell data; attributes of corners are field data
-        ``corner:NAME``, three rows for each face. Attributes with more than one column more are
-        flattened.
+        """A ``vtkPolyData`` with point and cell data; attributes of corners are field data ``corner:NAME``,
+        three rows for each face. Attributes with more than two dimensions are flattened to two.
 
         :raises ImportError: without VTK 9. :raises BadUsage: for wrong attributes.
         """
         return _vtk.polydata(self._parts())
 
     def to_pyvista(self) -> Any:
-        """The same as a ``pyvista.PolyData``. :raises ImportError: without PyVista."""
+        """A ``pyvista.PolyData`` with the data of to_vtk(). :raises ImportError: without PyVista."""
         return _convert.to_pyvista(self._parts())
 
     def _instance(self, plugin: str, progress: Any = None) -> Instance:
-        """A new instance of the plugin, with the mesh."""
+        """A new instance of the plugin on this mesh."""
         found = _plugins.plugin(plugin)
         with self._opening:
             if plugin not in self._owners:
@@ -150,14 +148,15 @@ class Mesh:
                 owner.set_mesh(self.vertices, self.faces, as_progress(progress))
                 self._owners[plugin] = owner
             instance = Instance(found, __version__)
-            _repair_steps.put(instance, self.repair_steps)  # else it would open the mesh as it came
+            _repair_steps.put(instance, self.repair_steps)  # before the mesh is shared: the instance must
+                                                            # open it repaired
             instance.share_mesh(self._owners[plugin])
         return instance
 
     def workspace(self, curves: Union[CurveLike, Sequence[Curve], None] = None, *,
                   closed: bool = False, plugin: str = "talweg.smooth",
                   **parameters: Any) -> "Workspace":
-        """A workspace on this mesh; see Workspace."""
+        """A workspace on this mesh; see ``Workspace``."""
         return Workspace(self, curves, closed=closed, plugin=plugin, **parameters)
 
     def smooth(self, curve: Union[CurveLike, Sequence[Curve]], tau: OneOrEach = 1.0, *,
@@ -215,12 +214,12 @@ class Mesh:
         return made
 
     def inspect(self, *, progress: Any = None) -> Dict[str, Any]:
-        """talweg.inspect() of this mesh, as its arrays are."""
+        """talweg.inspect() of the mesh's arrays, without the repair at its opening."""
         made: Dict[str, Any] = _pipeline().inspect(self, progress=progress)
         return made
 
     def repair(self, steps: Union[bool, str] = True, **how: Any) -> Repair:
-        """talweg.repair() of this mesh, as its arrays are."""
+        """talweg.repair() of the mesh's arrays, without the repair at its opening."""
         made: Repair = _pipeline().repair(self, steps, **how)
         return made
 
@@ -239,30 +238,29 @@ def _parts_of(mesh: Any) -> Parts:
 
 def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: Any = None,
               plugin: str = "talweg.smooth") -> Mesh:
-    """The mesh of a file with all of its attributes, as the driver reads it: ``Mesh(path)``.
+    """Reads a mesh with all attributes of its file, as the driver does: ``Mesh(path)``.
 
-    Columns that belong together are one attribute: ``normals`` (nx, ny, nz), ``colors`` (red, green,
-    blue, alpha), ``uv`` (s, t), ``NAME`` (NAME_0, NAME_1, ...). What is not read is told in the
-    logger ``talweg``, and so is what the other functions of files leave out.
+    Related columns form one attribute: ``normals`` (nx, ny, nz), ``colors`` (red, green, blue, alpha), ``uv``
+    (s, t), ``NAME`` (NAME_0, NAME_1, ...). The logger ``talweg`` lists data that this and the other functions
+    for files leave out.
 
     :param path: .ply, .obj, .off, .stl, .om, .vtk, .vtp, .msh, .gltf, .glb or .3mf.
     :param repair: as for ``Mesh``.
-    :param plugin: what the mesh is opened for first: "talweg.cut" if it will be cut.
-    :raises BadFile: with file, line, and what was expected.
-    :raises BadMesh: if it is no surface; inspect(path) tells all of it.
+    :param plugin: the plugin that opens the mesh: "talweg.cut" if the mesh will be cut.
+    :raises BadFile: if the file cannot be read; with file, line, and the expected text.
+    :raises BadMesh: if the mesh is no surface; inspect(path) lists all defects.
     """
     return Mesh(path, repair=repair, progress=progress, plugin=plugin)
 
 
 def write_mesh(path: Path, mesh: Any, *, tag: bool = False) -> None:
-    """Writes a mesh with its attributes, the same bytes as the driver's: .ply, .obj, .off, .stl,
-    .vtk or .vtp.
+    """Writes a mesh with its attributes, with the same bytes as the driver.
 
-    :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package; no surface is
-        asked for.
-    :param tag: the curves of a mesh that was cut, too, as edges (.ply, .obj, .vtk, .vtp).
-    :raises BadFile: if the file cannot be written; it is as it was then.
-    :raises BadUsage: for an attribute of another shape.
+    :param path: .ply, .obj, .off, .stl, .vtk or .vtp.
+    :param mesh: a ``Mesh``, a pair (vertices, faces), or a mesh of another package; it need not be a surface.
+    :param tag: also write the curves of a cut mesh, as edges (.ply, .obj, .vtk, .vtp).
+    :raises BadFile: if the file cannot be written; an existing file stays unchanged.
+    :raises BadUsage: for an attribute of another shape, or ``tag`` with a mesh that was not cut.
     """
     parts = mesh._parts() if isinstance(mesh, Mesh) else _parts_of(mesh)
     chains = getattr(mesh, "chains", None)

@@ -1,4 +1,4 @@
-"""Mesh files: the extension of talweg.repair that reads and writes the driver's formats."""
+"""Mesh files: reads and writes the driver's formats through an extension of the plugin talweg.repair."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def _extension() -> Any:
 
 
 def read_parts(path: Path) -> Parts:
-    """The lists of a file, with everything that it says of them. :raises BadFile: as read_mesh()."""
+    """The lists of a file, with its names, references and frame. :raises BadFile: as read_mesh()."""
     parts: List[Parts] = []
     failures: List[BaseException] = []
     left_out: List[str] = []
@@ -38,7 +38,7 @@ def read_parts(path: Path) -> Parts:
         try:
             parts.append(_parts_of(file.contents, path))
             return c.OK
-        except BaseException as error:  # raised again below
+        except BaseException as error:  # raised again after the call
             failures.append(error)
             return c.HOST_FAILED
 
@@ -55,7 +55,7 @@ def read_parts(path: Path) -> Parts:
 
 
 def _text(given: bytes) -> str:
-    return given.decode(errors="surrogateescape")  # whatever a file has comes back as it was
+    return given.decode(errors="surrogateescape")  # bytes of the file that are no UTF-8 come back unchanged
 
 
 def _bytes(text: str) -> bytes:
@@ -93,7 +93,7 @@ def _parts_of(file: Any, path: Path) -> Parts:
 
 
 def write_parts(path: Path, parts: Parts, chains: Sequence[Chain] = ()) -> None:
-    """Writes lists, and the edges of these chains. :raises BadFile, BadUsage: as write_mesh()."""
+    """Writes lists, and the edges of the chains. :raises BadFile, BadUsage: as write_mesh()."""
     writer = _Writer(parts, chains)
     left_out: List[str] = list(writer.left_out)
     file, collect = writer.file(), _collector(left_out)
@@ -103,7 +103,7 @@ def write_parts(path: Path, parts: Parts, chains: Sequence[Chain] = ()) -> None:
 
 
 class _Writer:
-    """The structs of a mesh that is written, and what they point to."""
+    """The interface's structs of a mesh to be written, and the arrays that they point to."""
 
     def __init__(self, parts: Parts, chains: Sequence[Chain]) -> None:
         self._kept: List[Any] = []
@@ -155,7 +155,7 @@ class _Writer:
         return lists
 
     def file(self) -> c.MeshFile:
-        """The struct; this object must outlive it."""
+        """The struct of the file; this object must outlive it."""
         return c.MeshFile(
             size=sizeof(c.MeshFile), mesh=pointer(self._mesh),
             attribute_count=len(self._attributes), attributes=_pointers(self._attributes),
@@ -172,8 +172,8 @@ def _pointers(structs: Sequence[Any]) -> Optional[Any]:
 
 
 def _tagged(faces: Array, chains: Sequence[Chain]) -> Array:
-    """Rows (vertex, vertex, curve): the edges of the chains that are in the mesh, by curve and along
-    it. An opened seam has two at each place."""
+    """Rows (vertex, vertex, curve): the edges of the chains that the mesh has, in the order of the curves. An
+    opened seam has two edges at each place."""
     there = _edges_between(faces, [chain.vertices for chain in chains])
     rows: List[Tuple[int, int, int]] = []
     for curve, chain in enumerate(chains):
@@ -190,7 +190,8 @@ def _tagged(faces: Array, chains: Sequence[Chain]) -> Array:
 
 
 def _edges_between(faces: Array, vertices: Sequence[Array]) -> Dict[Tuple[int, int], int]:
-    """Edges between these vertices, the lower one first, numbered as the faces have them."""
+    """Edges of the faces between these vertices, as (lower vertex, higher vertex), numbered in the order of
+    the faces."""
     if not vertices or faces.size == 0:
         return {}
     marked = np.zeros(int(faces.max()) + 1, bool)

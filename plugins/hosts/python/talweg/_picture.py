@@ -1,4 +1,4 @@
-"""Pictures: the surface as an image, curves over it as lines, by matplotlib and without a window."""
+"""Pictures by matplotlib, without a window: the surface as an image, with curves as lines over it."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from ._shading import BACKGROUND, Surface
 from ._types import Array, Floats
 
 DPI = 100
-_STEP = 1.5  # pixels between the places where a curve is looked at
-_SHORT = 4  # places; less of a curve is not shown as hidden, or not hidden, alone
+_STEP = 1.5  # pixels between two samples of a curve's visibility
+_SHORT = 4  # samples; a shorter hidden or visible part joins its neighbours
 
 
 def figure(scene: Scene, unit: str) -> Any:
-    """A matplotlib figure without a window."""
+    """A matplotlib figure that needs no window."""
     canvas = import_module("matplotlib.backends.backend_agg").FigureCanvasAgg
     camera = scene.camera
     made = import_module("matplotlib.figure").Figure(
@@ -32,7 +32,7 @@ def figure(scene: Scene, unit: str) -> Any:
 
 
 def draw(axes: Any, scene: Scene, unit: str) -> None:
-    """Draws into axes of matplotlib, whose units become pixels."""
+    """Draws the scene into axes of matplotlib, whose units become pixels."""
     camera = scene.camera
     colors = scene.colors
     surface = Surface(scene.vertices, scene.faces, camera, colors.values if colors else None,
@@ -75,7 +75,8 @@ def _draw_line(axes: Any, surface: Surface, line: Line, order: int) -> None:
 
 
 def _sampled(points: Floats, width: int, height: int) -> List[Floats]:
-    """Points in short steps along a polyline in pixels, where it is in the frame."""
+    """Samples in short steps along a polyline in pixels, as one list for each stretch in or near the
+    frame."""
     size = np.array([width, height])
     if len(points) == 1:
         return []
@@ -96,14 +97,14 @@ def _sampled(points: Floats, width: int, height: int) -> List[Floats]:
 
 
 def _runs(flags: Array) -> List[Tuple[int, int]]:
-    """Where equal flags begin and end."""
+    """The ranges of equal flags."""
     changes = np.flatnonzero(np.diff(flags.astype(np.int8))) + 1
     bounds = [0, *changes.tolist(), len(flags)]
     return list(zip(bounds[:-1], bounds[1:]))
 
 
 def _pieces(surface: Surface, samples: Floats) -> List[Tuple[Floats, bool]]:
-    """Parts of a line that are hidden or not, in the plane of the picture."""
+    """Parts of a line in pixels, each with whether the surface hides it."""
     hidden = surface.hides(samples)
     for first, last in _runs(hidden):
         if last - first < _SHORT and 0 < first and last < len(hidden):
@@ -112,7 +113,7 @@ def _pieces(surface: Surface, samples: Floats) -> List[Tuple[Floats, bool]]:
 
 
 def _draw_scale(axes: Any, scene: Scene, unit: str) -> None:
-    """A bar of a round length."""
+    """Draws a scale bar of a round length."""
     camera = scene.camera
     most = 0.22 * camera.width / camera.scale
     power = 10.0 ** np.floor(np.log10(most))
@@ -145,7 +146,7 @@ def _draw_legend(axes: Any, scene: Scene) -> None:
 
 
 def png(made: Any) -> bytes:
-    """The figure as a file's bytes."""
+    """The figure as the bytes of a PNG file."""
     out = io.BytesIO()
     made.savefig(out, format="png", dpi=DPI, metadata={"Software": None})
     return out.getvalue()

@@ -1,4 +1,4 @@
-"""Cutting, label borders, measuring, inspecting and repairing."""
+"""Cuts, borders of labels, measures, inspection and repair."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ Tree = Dict[str, Any]
 
 
 def mesh_of(given: Any, plugin: str) -> Mesh:
-    """A Mesh as it is; a pair (vertices, faces), a file, or a mesh of another package, opened."""
+    """A Mesh unchanged; a pair (vertices, faces), a file, or a mesh of another package, opened for the
+    plugin."""
     return given if isinstance(given, Mesh) else Mesh(given, plugin=plugin)
 
 
 def tree_of(report: Report) -> Tree:
-    """A report as the driver's JSON has it: groups are dictionaries, numbered ones lists,
-    and what is infinite is None."""
+    """A report in the form of the driver's JSON: groups become dictionaries, numbered groups lists, and
+    infinite numbers None."""
     entries = {name: value for name, value in vars(report).items()
                if name not in ("more", "time_ms") and value not in (None, ())}
     lists = ["warnings", "decisive", "decisive_at"] if report.termination else ["warnings"]
@@ -42,7 +43,7 @@ def tree_of(report: Report) -> Tree:
         *groups, last = key.split(".")
         for group in groups:
             below = node.get(group)
-            if not isinstance(below, dict):  # an empty list under its own key
+            if not isinstance(below, dict):  # the report has an empty list under this key
                 below = node[group] = {}
             node = below
         node[last] = _finite(value)
@@ -50,7 +51,8 @@ def tree_of(report: Report) -> Tree:
 
 
 def _finite(value: Any) -> Any:
-    """None for what is not bounded or not measured, as in the driver's JSON."""
+    """None for infinite numbers, which stand for "not bounded" and "not measured", as in the driver's
+    JSON."""
     if isinstance(value, tuple):
         return [_finite(one) for one in value]
     return None if isinstance(value, float) and math.isinf(value) else value
@@ -67,17 +69,17 @@ def _listed(node: Any) -> Any:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Cut:
-    """What talweg.cut() gives."""
+    """The result of talweg.cut()."""
 
-    meshes: List[MadeMesh]  #: one, or one for each piece, the one with the lowest face first
-    report: Tree  #: what was cut, and the parts
+    meshes: List[MadeMesh]  #: one mesh, or one for each piece, ordered by lowest face
+    report: Tree  #: counts and measures of the cut, and of each piece
 
     def __repr__(self) -> str:
         return f"<talweg.Cut: {self.meshes}>"
 
     @property
     def mesh(self) -> MadeMesh:
-        """The only mesh. :raises BadUsage: if there are several, or none."""
+        """The only mesh. :raises BadUsage: if there are several meshes, or none."""
         if len(self.meshes) != 1:
             raise BadUsage(f"There are {len(self.meshes)} meshes; ask for .meshes.")
         return self.meshes[0]
@@ -85,16 +87,16 @@ class Cut:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Labels:
-    """What talweg.labels() gives."""
+    """The result of talweg.labels()."""
 
     borders: List[Curve]  #: the smoothed borders
-    left: Integers  #: (number of borders,), the label on the left of each, seen from outside
+    left: Integers  #: (number of borders,), the label on the left of each border, seen from outside
     right: Integers
-    labels: Integers  #: (number of faces,): of each face that of its larger share
-    #: Cut along the borders, with its face attribute "label": the exact labels
+    labels: Integers  #: (number of faces,), for each face the label of its larger part
+    #: The mesh cut along the borders; its face attribute "label" has the exact labels
     mesh: Optional[MadeMesh]
-    reports: List[Report]  #: one for each border
-    report: Tree  #: of all, of each border and of each region; as the driver's --report
+    reports: List[Report]  #: a report for each border
+    report: Tree  #: totals, and entries for each border and each region, as the driver's --report
 
     def __repr__(self) -> str:
         return f"<talweg.Labels: {len(self.borders)} borders>"
@@ -102,47 +104,46 @@ class Labels:
 
 @dataclass(frozen=True)
 class Measurement:
-    """What talweg.measure() gives, in mesh units and radians."""
+    """The result of talweg.measure(), in mesh units and radians."""
 
-    curves: List[Tree]  #: of each curve
-    total: Tree  #: of all together; as the driver's --report
+    curves: List[Tree]  #: the measures of each curve
+    total: Tree  #: the measures of all curves together; as the driver's --report
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Repair:
-    """What talweg.repair() gives."""
+    """The result of talweg.repair()."""
 
-    mesh: MadeMesh  #: a surface; its ``origin`` is the map back
-    became: Integers  #: (number of vertices,): the vertex that each became, the first of several
-    became_face: Integers  #: (number of faces,): the face that each became; -1: it was dropped
-    report: Tree  #: the inspection, and under "repair" what was done and the verdict after it
+    mesh: MadeMesh  #: the surface; its ``origin`` maps back to the given mesh
+    became: Integers  #: (number of vertices,): the new vertex of each given one; of several copies the first
+    became_face: Integers  #: (number of faces,): the new face of each given one; -1: dropped
+    report: Tree  #: the inspection; "repair" has the changes and the verdict after them
 
     def __repr__(self) -> str:
         return f"<talweg.Repair: {self.mesh}>"
 
     @property
     def changes(self) -> List[str]:
-        """What was done, a sentence each."""
+        """The changes, a sentence each."""
         return list(self.report["repair"]["changes"])
 
 
 def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,
         carry: Optional[Mapping[str, str]] = None, progress: Any = None, **parameters: Any) -> Cut:
-    """Makes curves edges of the mesh, exactly, and takes it apart along them, if asked.
+    """Makes curves edges of the mesh, exactly, and on request takes the mesh apart along them.
 
-    No vertex moves; new ones lie on edges and in faces. Attributes of the mesh come along.
+    No vertex moves; new vertices lie on edges and in faces. Attributes of the mesh are interpolated.
 
     :param mesh: a ``Mesh``, a pair (vertices, faces), a file, or a mesh of another package.
-    :param curves: as for smooth(), but points need not be neighbours, and curves may cross.
-    :param carry: by the name of an attribute, how new vertices get its values: "linear", "rounded",
-        "nearest", or "direction" (unit vectors). Without it real numbers are linear, bytes
-        rounded (colours), other whole numbers and what has "label" in its name nearest, and
-        three columns of real numbers with the name "normal" or "normals" directions; at
-        corners whole numbers are rounded.
-    :param parameters: ``open`` (two sides of vertices), ``split`` (a mesh for each piece), ``keep``
-        ("both", "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``,
-        ``border`` ("snap": ends near the border are led to it where a seam is opened; "leave").
-    :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
+    :param curves: as for smooth(), but vertices need not be neighbours, and curves may cross.
+    :param carry: from the name of an attribute to the rule for its values at new vertices: "linear",
+        "rounded", "nearest", or "direction" (unit vectors). By default real numbers are linear; bytes
+        (colours) are rounded; other whole numbers and names with "label" are nearest; three columns of real
+        numbers with the name "normal" or "normals" are directions; whole numbers at corners are rounded.
+    :param parameters: ``open`` (two sides of vertices), ``split`` (a mesh for each piece), ``keep`` ("both",
+        "left", "right"), ``cap`` ("none", "auto", "planar", "least-area"), ``merge``, ``border`` ("snap":
+        ends of opened seams near the border are extended to it; "leave").
+    :raises BadMesh, BadCurve, BadUsage: if the input is wrong; the sentence says what is wrong, and where.
     """
     work = Workspace(mesh_of(mesh, "talweg.cut"), curves, closed=closed, plugin="talweg.cut",
                      **parameters)
@@ -154,17 +155,18 @@ def cut(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = 
 def labels(mesh: Any, values: Union[str, ArrayLike], *, of: Optional[str] = None,
            cut_mesh: bool = True, carry: Optional[Mapping[str, str]] = None, progress: Any = None,
            **parameters: Any) -> Labels:
-    """Smooths all borders of a segmentation together: none crosses another, no region is lost.
+    """Smooths all borders of a segmentation together: no border crosses another, no region is lost.
 
     :param mesh: as for cut().
     :param values: (m,) or (n,) whole numbers, the labels of faces or vertices; or the name of an
         attribute of the mesh.
-    :param of: "faces" or "vertices", where their number does not tell.
+    :param of: "faces" or "vertices", the owners of the labels; needed if the mesh has as many faces as
+        vertices.
     :param cut_mesh: False: ``mesh`` is None, which takes less time.
     :param carry: as for cut().
     :param parameters: ``tau``, ``slack``, ``max_deviation``, ``junctions`` ("fixed", "free"), ``ends``
         ("stay", "slide").
-    :raises BadMesh, BadUsage: with the library's sentence.
+    :raises BadMesh, BadUsage: if the input is wrong; the sentence says what is wrong, and where.
     """
     opened = mesh_of(mesh, "talweg.labels")
     name = {"faces": "triangle_labels", "vertices": "vertex_labels"}[_element(opened, values, of)]
@@ -215,15 +217,16 @@ def _whole(values: Array) -> Integers:
 def measure(mesh: Any, curves: Union[CurveLike, Sequence[Curve]],
             others: Union[CurveLike, Sequence[Curve], None] = None, *, closed: bool = False,
             edge: Optional[float] = None, progress: Any = None) -> Measurement:
-    """Length, geodesic curvature, bending and self-contacts of curves, and how far they lie from
-    others along the surface, both ways.
+    """Length, geodesic curvature, bending and self-contacts of curves, and their distances along the surface
+    to and from other curves.
 
     :param mesh: as for cut(). :param curves: as for cut().
-    :param others: as many as ``curves`` are compared one by one; else all together.
-    :param edge: length of the windows in which turning is measured, mesh units; without it the
-        mean edge near each curve. To compare curves give all the same.
+    :param others: curves to compare with. As many as ``curves`` are compared one by one; another number as a
+        set.
+    :param edge: length of the windows for turning, mesh units, > 0. None: the mean edge near each curve. Give
+        the same value to compare curves.
     :param closed: curves and others that are arrays are loops.
-    :raises BadMesh, BadCurve, BadUsage: with the library's sentence.
+    :raises BadMesh, BadCurve, BadUsage: if the input is wrong; the sentence says what is wrong, and where.
     """
     compared = [] if others is None else as_curves(others, closed)
     work = Workspace(mesh_of(mesh, "talweg.measure"), as_curves(curves, closed) + compared,
@@ -234,7 +237,7 @@ def measure(mesh: Any, curves: Union[CurveLike, Sequence[Curve]],
 
 def offset(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], distance: float, *,
            closed: bool = False, progress: Any = None, **parameters: Any) -> Result:
-    """Curves at an exact distance along the surface from others: margins, bands, guides.
+    """Curves at an exact distance along the surface from given curves: margins, bands, guides.
 
     :param mesh: as for cut(). :param curves: as for cut().
     :param distance: > 0, mesh units.
@@ -244,8 +247,8 @@ def offset(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], distance: float
         three times, ...), ``tolerance`` (mesh units, between two points), ``ends``.
     :returns: a curve for each component. Its report has ``more``: "distance", "side", "along" (the
         number of the given curve) and "distance_off_max" (mesh units).
-    :raises BadUsage: if nothing is at that distance, with the farthest there is.
-    :raises BadMesh, BadCurve: with the library's sentence.
+    :raises BadUsage: if no point is at this distance; the sentence has the largest distance.
+    :raises BadMesh, BadCurve: if the input is wrong; the sentence says what is wrong, and where.
     """
     work = Workspace(mesh_of(mesh, "talweg.offset"), curves, closed=closed, plugin="talweg.offset",
                      distance=distance, **parameters)
@@ -253,27 +256,27 @@ def offset(mesh: Any, curves: Union[CurveLike, Sequence[Curve]], distance: float
 
 
 def inspect(mesh: Any, *, progress: Any = None) -> Tree:
-    """What a mesh is, what is wrong with it, and whether curves can be drawn on it.
+    """Size, components and defects of a mesh, and whether curves can be drawn on it.
 
-    :param mesh: as for cut(); it may be no surface.
-    :returns: what ``talweg info --json`` tells: "verdict" ("usable", "repairable", ...), "reason",
+    :param mesh: as for cut(); it need not be a surface.
+    :returns: the entries of ``talweg info --json``: "verdict" ("usable", "repairable", ...), "reason",
         "repair_steps", "defects", "components", "edge_length_mean", ...
     """
     told = tree_of(_inspected(mesh, {"repair": False}, progress)[0].total)
-    del told["warnings"]  # a mesh has none
+    del told["warnings"]  # an inspection gives none
     return told
 
 
 def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
            carry: Optional[Mapping[str, str]] = None) -> Repair:
-    """Makes a surface of a mesh; only welding moves vertices.
+    """Repairs a mesh to a surface; only welding moves vertices.
 
-    Vertices keep their numbers: copies come last, and those that no face has any more stay.
+    Vertices keep their numbers: copies come last, and vertices without faces stay.
 
-    :param mesh: as for cut(); it may be no surface. Its attributes come along.
+    :param mesh: as for cut(); it need not be a surface. Attributes are copied to the new vertices and faces.
     :param steps: True, or some of "weld", "drop", "orient" and "split" as "weld,drop"; with
         "weld=1e-4" vertices within 1e-4 mesh units of others are welded, too.
-    :raises BadMesh: if these steps make no surface of it.
+    :raises BadMesh: if the mesh is no surface after these steps.
     """
     chosen = _repair_steps.checked(steps)
     if not chosen:

@@ -1,4 +1,4 @@
-"""talweg.plot_curvature(): how evenly a curve turns, before and after."""
+"""talweg.plot_curvature(): curvature along a result, and along its drawing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ._results import Result
 from ._scene import BLUE, MESH_UNITS, OTHERS, RED
 from ._turning import Turns, turns_of
 
-_AIR = 1.08  # the range, over the largest curvature of a result
+_AIR = 1.08  # the plotted range as a multiple of the result's largest curvature
 
 
 def plot_curvature(result: Result, axes: Any = None, *, window: Optional[float] = None,
@@ -24,16 +24,16 @@ def plot_curvature(result: Result, axes: Any = None, *, window: Optional[float] 
                    file: Union[None, str, "os.PathLike[str]"] = None) -> Any:
     """Plots the signed geodesic curvature along a result, over that of its drawing.
 
-    At each place it is the sum of the turns in a window about it, over the window's length; positive
-    where the curve turns left, seen from outside. The range is the result's: what a drawing turns
-    more is cut off. Drawings are stretched to the length of their results.
+    The curvature at a place is the sum of the turns in a window around the place over the window's length;
+    positive for turns to the left, seen from outside. The range of the plot fits the result; larger curvature
+    of the drawing is cut off. Drawings are stretched to the length of their results.
 
     :param axes: of matplotlib, to draw into. None: new ones of ``matplotlib.pyplot``.
-    :param window: mesh units, > 0. None: twice the edge length near the drawing; smaller windows show
-        single points.
-    :param unit: of the mesh, for the labels.
-    :param file: a picture to write: .png, .pdf, .svg, ... Needs no window; with ``axes`` their whole
-        figure.
+    :param window: mesh units, > 0. None: twice the edge length near the drawing; smaller windows show single
+        turns.
+    :param unit: unit of the mesh, for the labels of the axes.
+    :param file: a picture to write: .png, .pdf, .svg, ... Needs no window; with ``axes`` the picture has
+        their whole figure.
     :returns: the axes.
     :raises BadUsage: for a result without curves or mesh, or a window that is not > 0.
     :raises BadFile: if the file cannot be written. :raises Unsupported: without matplotlib.
@@ -97,7 +97,7 @@ def _window(given: Optional[float], result: Result, k: int, turns: Turns) -> flo
 
 
 def _of_drawing(result: Result, k: int) -> Optional[Turns]:
-    """None: there is none, or it cannot be laid on the mesh."""
+    """The turns of the k-th drawing; None if there is none, or if it cannot be laid on the mesh."""
     if k >= len(result.drawn) or result.mesh is None:
         return None
     drawn = result.drawn[k]

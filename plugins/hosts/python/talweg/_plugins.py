@@ -1,4 +1,4 @@
-"""Finding and loading plugins, and what they say about themselves."""
+"""Finds and loads plugins, and reads their descriptions."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _KINDS = {c.NUMBER: "number", c.INTEGER: "integer", c.BOOLEAN: "boolean", c.CHOI
 
 @dataclass(frozen=True)
 class Parameter:
-    """What a plugin says about one of its parameters."""
+    """A plugin's description of one of its parameters."""
 
     id: str
     label: str
@@ -31,22 +31,22 @@ class Parameter:
     kind: str
     unit: str  #: "mesh units", "radians", ...; "" for a pure number
     doc: str
-    default: Any  #: None where it has no value by default
+    default: Any  #: None for a parameter without a default
     minimum: float
     maximum: float
-    soft_minimum: float  #: what a slider should offer
+    soft_minimum: float  #: the range for a slider
     soft_maximum: float
     choices: Tuple[str, ...]
     choice_labels: Tuple[str, ...]
-    stage: int  #: what a change repeats: 1 everything, 2 what depends on the curves, 3 every run
+    stage: int  #: work that a change repeats: 1: everything, 2: stages that depend on the curves, 3: the run
     optional: bool
-    open_minimum: bool  #: the minimum itself is not allowed
+    open_minimum: bool  #: whether the minimum itself is excluded
     logarithmic: bool
     advanced: bool
 
 
 class Plugin:
-    """A loaded plugin: its description, and its functions in ``table``."""
+    """A loaded plugin: its description, and its functions as ``table``."""
 
     def __init__(self, table: c.Plugin, path: Path) -> None:
         self.table = table
@@ -62,7 +62,7 @@ class Plugin:
             self.parameters[parameter.id] = parameter
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return plugin, (self.id,)  # found again where it is unpickled
+        return plugin, (self.id,)  # unpickling looks the plugin up by its id
 
 
 def _described(p: c.Parameter) -> Parameter:
@@ -81,8 +81,8 @@ def _described(p: c.Parameter) -> Parameter:
 
 
 def folders() -> List[Path]:
-    """Where plugins are looked for, in this order: the folders of ``TALWEG_PLUGIN_PATH``; the one
-    inside this package; ``build/`` of a source checkout; where Talweg is installed."""
+    """The folders with plugins, in the order of the search: those of ``TALWEG_PLUGIN_PATH``; the one inside
+    this package; ``build/`` of a source checkout; those of an installed Talweg."""
     here = Path(__file__).resolve().parent
     result = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
     result.append(here / "plugins")
@@ -99,7 +99,7 @@ def folders() -> List[Path]:
 
 
 def _objection(module: Any) -> str:
-    """Why a module cannot be used; "" if it can."""
+    """Why a module cannot be used; "" for a usable one."""
     if not module:
         return "it does not work with hosts of the plugin interface 1.2"
     m = module.contents
@@ -118,11 +118,11 @@ def _objection(module: Any) -> str:
 
 
 class _Loader:
-    """Loads every plugin there is, once; libraries stay loaded until the program ends."""
+    """Loads all plugins once; libraries stay loaded until the program ends."""
 
     def __init__(self) -> None:
         self.plugins: Dict[str, Plugin] = {}
-        self.refused: Dict[str, List[Path]] = {}  # by the reason
+        self.refused: Dict[str, List[Path]] = {}  # refused modules, by the reason
         self.folders = folders()
         self._libraries: List[ctypes.CDLL] = []
         for folder in self.folders:
@@ -164,9 +164,9 @@ def _loaded() -> _Loader:
 
 
 def plugin(id: str) -> Plugin:
-    """The plugin of that id, e.g. "talweg.smooth".
+    """The plugin with this id, e.g. "talweg.smooth".
 
-    :raises PluginNotFound: with the folders that were looked through, and what was refused there.
+    :raises PluginNotFound: if there is none; the sentence has the searched folders, and the refused modules.
     """
     loader = _loaded()
     if id in loader.plugins:
@@ -184,7 +184,7 @@ def plugins() -> Dict[str, Plugin]:
 
 
 def help_text(id: str = "talweg.smooth") -> str:
-    """What a plugin does and its parameters, a line each: name, default, range, unit, doc."""
+    """A plugin's description, and a line for each parameter: name, default, range, unit, doc."""
     found = plugin(id)
     lines = [f"{found.id} {found.version}: {found.doc}", ""]
     for p in found.parameters.values():

@@ -1,4 +1,4 @@
-"""Polygons become triangles inside them, as when Talweg reads a file."""
+"""Triangulates polygons in the same way as Talweg's readers of files."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ import numpy as np
 
 from ._types import Array
 
-MOST_CORNERS = 500  # of a concave polygon: ears are looked for one by one
+MOST_CORNERS = 500  # of a concave polygon: the search for ears is quadratic
 
 
 def triangulated(points: Array, corners: Array, sizes: Array) -> Tuple[Array, Array]:
-    """Triangles (m, 3), and (m,) the polygon that each is of.
+    """Triangles (m, 3), and the polygon of each triangle (m,).
 
-    A polygon is the fan from its first corner where that covers it, as where it is convex. Ears are
-    clipped from others of up to 500 corners. What crosses itself stays a fan.
+    A polygon becomes the fan from its first corner if the fan covers it, as it does for convex polygons. Ears
+    are clipped from other polygons of up to 500 corners. A polygon that crosses itself stays a fan.
 
     :param points: (n, 3) positions of the vertices.
     :param corners: the polygons' vertices, one polygon after the other.
-    :param sizes: (k,) how many corners each polygon has; those with fewer than three vanish.
+    :param sizes: (k,) the number of corners of each polygon; polygons with fewer than three corners vanish.
     """
     points = np.asarray(points)
     triangles, polygons = _fans(corners, sizes)
     if not len(triangles) or triangles.min() < 0 or triangles.max() >= len(points):
-        return triangles, polygons  # opening the mesh says so
+        return triangles, polygons  # indices out of range are reported when the mesh is opened
     begins = np.cumsum(sizes) - sizes
     for polygon, normal in _uncovered(points, triangles, polygons):
         around = np.asarray(corners[begins[polygon]:begins[polygon] + sizes[polygon]])
@@ -43,7 +43,7 @@ def _fans(corners: Array, sizes: Array) -> Tuple[Array, Array]:
 
 
 def _uncovered(points: Array, triangles: Array, polygons: Array) -> List[Tuple[int, Array]]:
-    """Polygons whose fan has a triangle that is turned over, with their normals (Newell's)."""
+    """Polygons whose fan has an inverted triangle, with their normals (Newell's method)."""
     a, b, c = (np.asarray(points[triangles[:, k]], dtype=np.float64) for k in range(3))
     across = np.cross(b - a, c - a)
     normals = np.zeros((polygons[-1] + 1, 3))
@@ -63,14 +63,14 @@ def _in_plane(corners: Array, normal: Array) -> Array:
 
 
 def _turn(a: Array, b: Array, c: Array) -> Array:
-    """Twice the area of a, b, c; positive where they turn left."""
+    """Twice the signed area of the triangle a, b, c; positive for a left turn."""
     return np.asarray((b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (
         b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0]))
 
 
 def _ears(places: Array) -> Optional[Array]:
-    """(n - 2, 3) corners of triangles inside a polygon that runs counterclockwise; None if there
-    are none, and of too many corners."""
+    """Corners (n - 2, 3) of triangles that fill a counterclockwise polygon; None if no triangulation is
+    found, or for too many corners."""
     if len(places) > MOST_CORNERS:
         return None
     around, ears = list(range(len(places))), []

@@ -1,4 +1,4 @@
-"""A depth buffer in numpy: which triangle is seen at every pixel of a picture."""
+"""A depth buffer in numpy: the visible triangle at every pixel of a picture."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 from ._types import Array, Floats, Integers
 
 NOTHING = -1
-_ROWS, _SAMPLES = 1 << 19, 1 << 21  # at once, which bounds the memory
+_ROWS, _SAMPLES = 1 << 19, 1 << 21  # at a time, which bounds the memory
 
 
 class Buffer:
-    """The nearest triangle of every pixel. Pixel (x, y) has its centre at (x, y); y points down, and
-    what has the larger z is nearer."""
+    """The nearest triangle at every pixel. Pixel (x, y) has its centre at (x, y); y points down; larger z is
+    nearer."""
 
     def __init__(self, width: int, height: int) -> None:
         self.width, self.height = width, height
@@ -22,8 +22,8 @@ class Buffer:
         self.depths: Floats = np.full(width * height, -np.inf)
 
     def draw(self, points: Floats, faces: Array) -> None:
-        """O(faces + rows of pixels that they cover + pixels that they cover). Faces with points that
-        are not finite are left out.
+        """Draws faces, in O(faces + covered rows of pixels + covered pixels). Faces with points that are not
+        finite are left out.
 
         :param points: (n, 3), in pixels.
         """
@@ -46,7 +46,7 @@ class Buffer:
                 self._fill(pixel[run], count[run], z[run], by_x[run], face[run])
 
     def _in_frame(self, points: Floats, faces: Array) -> Integers:
-        """Numbers of the faces that may cover the centre of a pixel."""
+        """Numbers of the faces that may cover a centre of a pixel."""
         low, high = _pixels_of(points[:, 1], faces, self.height)
         left, right = _pixels_of(points[:, 0], faces, self.width)
         number = np.flatnonzero((low <= high) & (left <= right))
@@ -54,10 +54,10 @@ class Buffer:
         return np.asarray(number[finite[faces[number]].all(axis=1)])
 
     def _fill(self, first: Array, count: Array, z: Array, by_x: Array, face: Array) -> None:
-        """Runs of pixels, which begin with the depth z."""
+        """Fills runs of pixels, each of which begins with the depth z."""
         run, step = np.repeat(np.arange(len(first)), count), _numbers_within(count)
         pixel, z, face = first[run] + step, z[run] + by_x[run] * step, face[run]
-        while len(pixel) > 0:  # where several meet, those behind are overwritten in the next round
+        while len(pixel) > 0:  # of several values for a pixel, the next round overwrites those behind
             nearer = np.flatnonzero(z > self.depths[pixel])
             pixel, z, face = pixel[nearer], z[nearer], face[nearer]
             self.depths[pixel] = z
@@ -65,7 +65,8 @@ class Buffer:
 
 
 def _pixels_of(values: Floats, faces: Array, size: int) -> Tuple[Floats, Floats]:
-    """First and last pixel between the values of each face; the last is smaller where there is none."""
+    """The first and the last pixel between a face's values; the last is smaller than the first if there is
+    none."""
     a, b, c = (values[faces[:, k]] for k in range(3))
     with np.errstate(invalid="ignore"):
         first = np.ceil(np.minimum(np.minimum(a, b), c))
@@ -74,7 +75,7 @@ def _pixels_of(values: Floats, faces: Array, size: int) -> Tuple[Floats, Floats]
 
 
 class _Sides(NamedTuple):
-    """The sides of triangles, from their highest corner to the lowest."""
+    """The sides of triangles, from the highest corner to the lowest."""
 
     x0: Floats
     y0: Floats
@@ -85,8 +86,8 @@ class _Sides(NamedTuple):
     lower: Floats
 
     def at(self, face: Array, line: Array) -> Tuple[Floats, Floats]:
-        """Where a row enters and leaves a triangle. Neighbours compute their common side alike, so
-        nothing is left open between them."""
+        """The places where a row enters and leaves a triangle. Neighbours compute their common side equally,
+        so there is no gap between them."""
         x0, y0, y1 = self.x0[face], self.y0[face], self.y1[face]
         one = x0 + (line - y0) * self.long[face]
         other = np.where(line < y1, x0 + (line - y0) * self.upper[face],
@@ -119,21 +120,22 @@ def _depth_of(points: Floats, faces: Array) -> _Depth:
     b, c = (points[faces[:, k]].T - a for k in (1, 2))
     area = b[0] * c[1] - b[1] * c[0]
     size = np.abs(b[0] * c[1]) + np.abs(b[1] * c[0])
-    inverse = 1 / np.where(np.abs(area) > 1e-9 * size, area, np.inf)  # level if seen from the side
+    inverse = 1 / np.where(np.abs(area) > 1e-9 * size, area, np.inf)  # constant for triangles seen from the
+                                                                      # side
     by_x = (b[2] * c[1] - c[2] * b[1]) * inverse
     by_y = (c[2] * b[0] - b[2] * c[0]) * inverse
     return _Depth(a[2] - by_x * a[0] - by_y * a[1], by_x, by_y)
 
 
 def _numbers_within(counts: Array) -> Integers:
-    """0, 1, ... for each of the counts, one after the other."""
+    """0, 1, ..., count - 1 for each of the counts, concatenated."""
     ends = np.cumsum(counts)
     total = int(ends[-1]) if len(ends) > 0 else 0
     return np.asarray(np.arange(total) - np.repeat(ends - counts, counts))
 
 
 def _chunks(costs: Array, most: int) -> Iterator[slice]:
-    """Consecutive parts whose costs sum to about as much."""
+    """Consecutive slices whose costs sum to about ``most``."""
     ends = np.cumsum(costs)
     begin = 0
     while begin < len(costs):

@@ -1,4 +1,4 @@
-"""Which steps of a repair are taken when a mesh is opened."""
+"""The steps of a repair when a mesh is opened."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ WITHIN = "weld="
 
 
 def checked(repair: Union[None, bool, str]) -> Union[bool, str]:
-    """False, True for all steps, or their names separated by commas, "weld" as "weld=TOLERANCE".
+    """A checked choice of steps: False for none, True for all, or their names separated by commas, with
+    "weld=TOLERANCE" as another form of "weld".
 
     :raises BadUsage: for anything else.
     """
@@ -47,7 +48,7 @@ def _tolerance(name: str) -> float:
 
 
 def values(repair: Union[bool, str]) -> Dict[str, Any]:
-    """Parameters of plugins for what checked() gives."""
+    """The parameters of plugins for a choice from checked()."""
     chosen: List[str] = repair.split(",") if isinstance(repair, str) else list(STEPS)
     names = [step.split("=")[0] for step in chosen]
     result: Dict[str, Any] = {"repair": bool(repair)}
@@ -58,7 +59,8 @@ def values(repair: Union[bool, str]) -> Dict[str, Any]:
 
 
 def put(instance: Instance, repair: Union[bool, str]) -> None:
-    """Before the mesh is set or shared. Nothing is asked of plugins where nothing is repaired."""
+    """Sets the steps on an instance, before its mesh is set or shared. Without a repair, plugins without such
+    parameters are accepted."""
     parameters = instance.plugin.parameters
     if not repair:
         return

@@ -1,4 +1,4 @@
-"""What comes out: curves, fields and reports."""
+"""Results: curves, fields and reports."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Report:
-    """What was done and measured: the names and units of docs/driver.md, "The report".
+    """Counts and measures of a run, with the names and units of docs/driver.md, "The report".
 
-    Lengths in mesh units, angles in radians, times in ms, memory in MiB. "Before" and "drawn" are
-    the curve as it was given. None: a plugin that does not measure it.
+    Lengths are in mesh units, angles in radians, times in ms, memory in MiB. "Before" and "drawn" refer to
+    the given curve. None: the plugin does not measure the value.
     """
 
     version: Optional[str] = None
@@ -28,18 +28,19 @@ class Report:
     tau: Optional[float] = None
     slack: Optional[float] = None
     slack_from: Optional[str] = None  #: "trembling", "edges", "segments", "given" or "none"
-    left_out: Optional[int] = None  #: points of strokes that say nothing beside others
-    left_out_max: Optional[float] = None  #: how far they lie from what was smoothed
+    left_out: Optional[int] = None  #: points of strokes that were left out, since other points make them
+                                    #: needless
+    left_out_max: Optional[float] = None  #: their largest distance from the smoothed drawing
     max_deviation: Optional[float] = None
-    ridge_strength: Optional[float] = None  #: the next ones are there only if it is above 0
+    ridge_strength: Optional[float] = None  #: the next two exist only if it is above 0
     ridge_band: Optional[float] = None
-    ridge_moved: Optional[float] = None  #: [0, 1]: the part of the drawing that was moved onto ridges
+    ridge_moved: Optional[float] = None  #: [0, 1], the part of the drawing that was moved onto ridges
     ridge_moved_max: Optional[float] = None
     ridge_clicks_moved: Optional[int] = None
     ridge_clicks_moved_max: Optional[float] = None
     pins_added: Optional[int] = None
     edge_length_near: Optional[float] = None
-    roughness_near: Optional[float] = None  #: of the mesh along the drawing, in edge_length_near
+    roughness_near: Optional[float] = None  #: of the mesh along the drawing, in units of edge_length_near
     potential: Optional[str] = None
     engine: Optional[str] = None
     closed: Optional[bool] = None
@@ -59,39 +60,43 @@ class Report:
     bending_after: Optional[float] = None
     window_turning_before: Optional[float] = None  #: largest net turning in one edge_length_near, radians
     window_turning_after: Optional[float] = None
-    window_turning_2_before: Optional[float] = None  #: in two
+    window_turning_2_before: Optional[float] = None  #: largest net turning in two edge_length_near, radians
     window_turning_2_after: Optional[float] = None
-    deviation: Optional[str] = None  #: which distance the next ones are: "surface", "euclidean", "none"
+    deviation: Optional[str] = None  #: the kind of the next distances: "surface", "euclidean", "none"
     deviation_to_drawn_max: Optional[float] = None
     deviation_to_drawn_mean: Optional[float] = None
     deviation_from_drawn_max: Optional[float] = None
     deviation_from_drawn_mean: Optional[float] = None
-    deviation_at: Optional[Tuple[float, ...]] = None  #: (3,), where the largest is
-    deviation_exact: Optional[bool] = None  #: False: a budget was used up; the above are upper bounds
-    deviation_at_least: Optional[float] = None  #: the largest distance known
-    missed_points: Optional[int] = None  #: that the result was to pass
-    missed_max: Optional[float] = None  #: through space
-    missed_at: Optional[Tuple[float, ...]] = None  #: (3,), of the farthest
-    farthest: Optional[float] = None  #: result and drawing apart, either way, or a point that is missed; at least
-    farthest_at_most: Optional[float] = None  #: the same where that is exact, infinite where nothing is known
-    farthest_at: Optional[Tuple[float, ...]] = None  #: (3,)
-    farthest_of: Optional[str] = None  #: what is farthest: "result", "drawing", "point", "none"
+    deviation_at: Optional[Tuple[float, ...]] = None  #: (3,), the place of the largest
+    deviation_exact: Optional[bool] = None  #: False: the limit on work was reached; the distances are upper
+                                            #: bounds
+    deviation_at_least: Optional[float] = None  #: a lower bound of the largest distance
+    missed_points: Optional[int] = None  #: way-points that the result does not pass
+    missed_max: Optional[float] = None  #: the largest distance of such a point from the result, through space
+    missed_at: Optional[Tuple[float, ...]] = None  #: (3,), the place of the farthest such point
+    farthest: Optional[float] = None  #: a lower bound of the largest distance between result and drawing,
+                                      #: either way, and of missed way-points
+    farthest_at_most: Optional[float] = None  #: its upper bound, equal if exact; infinite if not known
+    farthest_at: Optional[Tuple[float, ...]] = None  #: (3,), its place
+    farthest_of: Optional[str] = None  #: the owner of this place: "result", "drawing", "point", "none"
     moved: Optional[float] = None
     flips: Optional[int] = None
     iterations: Optional[int] = None
     faces_touched: Optional[int] = None
     trace_fallbacks: Optional[int] = None
-    stretches_redrawn: Optional[int] = None  #: 0: a fair curve starts from the whole drawing
-    mollification: Optional[float] = None  #: most that an edge was lengthened for the paper's distance
+    stretches_redrawn: Optional[int] = None  #: stretches in which smoothing began from another path; 0: from
+                                             #: the whole drawing
+    mollification: Optional[float] = None  #: largest lengthening of an edge for the paper's distance
     crossings_before: Optional[int] = None
     crossings_after: Optional[int] = None
     termination: Optional[str] = None  #: "converged", "missed", "collapsed", "limit"
     warnings: Tuple[str, ...] = ()
-    decisive: Tuple[str, ...] = ()  #: those of them by which a result may be of no use
-    decisive_at: Tuple[float, ...] = ()  #: x, y and z of the place of each; infinite where it has none
+    decisive: Tuple[str, ...] = ()  #: the warnings by which a result may be of no use
+    decisive_at: Tuple[float, ...] = ()  #: x, y and z of the place of each decisive warning; infinite without
+                                         #: a place
     time_ms: Dict[str, float] = field(default_factory=dict)
     peak_memory_mib: Optional[float] = None
-    #: Entries under any other name, e.g. of somebody else's plugin
+    #: Entries with other names, e.g. of a plugin by others
     more: Dict[str, Any] = field(default_factory=dict)
 
     def __str__(self) -> str:
@@ -103,7 +108,7 @@ _NAMES = {f.name for f in fields(Report)} - {"time_ms", "more"}
 
 
 def value_of(entry: c.ReportEntry) -> Any:
-    """A value, or a tuple of them: float, int, bool or str."""
+    """The value of an entry, or a tuple of values: float, int, bool or str."""
     if entry.type == c.VALUE_TEXT:
         values: List[Any] = [entry.texts[k].decode() for k in range(entry.count)]
     else:
@@ -128,18 +133,18 @@ def report_of(entries: Dict[str, Any]) -> Report:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Result:
-    """What a run gives."""
+    """The result of a run."""
 
-    curves: List[Curve]  #: one for each given curve, in their order
-    reports: List[Report]  #: one for each curve
-    total: Report  #: of all curves together
-    #: If asked for: (number of vertices,) each, e.g. "distance" in mesh units
+    curves: List[Curve]  #: a curve for each given one, in the same order
+    reports: List[Report]  #: a report for each curve
+    total: Report  #: the report of all curves together
+    #: If requested: arrays by name, (number of vertices,) each, e.g. "distance" in mesh units
     fields: Dict[str, Array] = field(default_factory=dict)
-    drawn: List[Curve] = field(default_factory=list)  #: the curves as they were given
-    #: The mesh, opened again only if it is used; its arrays are shared, not copied. It is pickled with
-    #: the result: send ``curves`` and ``reports`` instead where that is too much.
+    drawn: List[Curve] = field(default_factory=list)  #: the given curves
+    #: The mesh, which is opened again only at a use; its arrays are shared, not copied. It is pickled with
+    #: the result: send ``curves`` and ``reports`` alone if it is too large.
     mesh: Optional[Mesh] = None
-    #: If asked for: those that were made; each a MadeMesh if the plugin tells where they come from
+    #: If requested: the made meshes; each is a MadeMesh if the plugin returns its origin
     meshes: List[Mesh] = field(default_factory=list)
 
     def __repr__(self) -> str:
@@ -148,18 +153,18 @@ class Result:
 
     @property
     def curve(self) -> Curve:
-        """The only curve. :raises BadUsage: if there are several."""
+        """The only curve. :raises BadUsage: if there are several curves."""
         if len(self.curves) != 1:
             raise BadUsage(f"There are {len(self.curves)} curves; ask for .curves.")
         return self.curves[0]
 
     @property
     def report(self) -> Report:
-        """The only curve's report; of several curves the total."""
+        """The report of the only curve; for several curves the total."""
         return self.reports[0] if len(self.reports) == 1 else self.total
 
     def show(self, **how: Any) -> Any:
-        """talweg.show() of the result and its drawing on their mesh; ``how`` as there."""
+        """talweg.show() of the result and its drawing on their mesh, with the same arguments."""
         from ._show import show  # pylint: disable=import-outside-toplevel,cyclic-import
 
         if self.mesh is None:
@@ -167,7 +172,7 @@ class Result:
         return show(self.mesh, self, **how)
 
     def _repr_png_(self) -> Optional[bytes]:
-        """What a notebook shows."""
+        """The picture for a notebook."""
         from ._show import png  # pylint: disable=import-outside-toplevel,cyclic-import
 
         return png(self)
@@ -175,10 +180,10 @@ class Result:
 
 @dataclass(frozen=True, eq=False)
 class Distance:
-    """Distance to curves and the potential over it, (number of vertices,) each, mesh units."""
+    """Distance to the nearest curve and the potential, (number of vertices,) each, mesh units."""
 
     distance: Floats  #: infinite where no curve can be reached
-    potential: Floats  #: by how much the surface is lifted; 0 where no curve can be reached
+    potential: Floats  #: the lift of the surface; 0 where no curve can be reached
     distance_max: float
     potential_max: float
-    slack: Tuple[float, ...]  #: of each curve
+    slack: Tuple[float, ...]  #: the slack of each curve

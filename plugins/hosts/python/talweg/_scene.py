@@ -1,4 +1,4 @@
-"""What a picture or a window shows: a surface, curves with names and colours, and a direction."""
+"""The scene of a picture or a window: a surface, curves with names and colours, and a camera."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ OTHERS = ("#1b7837", "#e08214", "#762a83", "#c51b7d", "#0d8a8a", "#6b4a1c")
 
 @dataclass(frozen=True)
 class Line:
-    """Curves of one name as polylines; closed ones end where they begin."""
+    """Curves with one name, as polylines; a closed curve ends at its first point."""
 
     name: str
     color: str
@@ -34,7 +34,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Scene:
-    """All that can be seen."""
+    """Everything to be shown."""
 
     vertices: Floats
     faces: Array
@@ -45,7 +45,10 @@ class Scene:
 
 def scene(mesh: Any, curves: Any, view: Any, up: Any, zoom: float, colors: Any,
           size: Tuple[int, int]) -> Scene:
-    """:raises BadMesh, BadCurve, BadUsage: with what is wrong."""
+    """The scene for the arguments of show().
+
+    :raises BadMesh, BadCurve, BadUsage: if an argument is wrong; the sentence names it.
+    """
     parts = _parts(mesh)
     vertices = _arrays.readable(parts.vertices, 3, "The mesh's vertices", BadMesh)
     faces = _arrays.readable(parts.faces, 3, "The mesh's faces", BadMesh).astype(np.int64)
@@ -112,9 +115,9 @@ def _lines(curves: Any, vertices: Floats, faces: Array) -> List[Line]:
 
 
 def positions(curve: Curve, vertices: Floats, faces: Array) -> Floats:
-    """(n, 3): where a curve's points are, by the first that it has, as Talweg takes it.
+    """The places of a curve's points, (n, 3), from the first present member, in the order of ``Curve``.
 
-    :raises BadCurve: if it has none, or they are not on the mesh.
+    :raises BadCurve: if the curve has no points, or indices that the mesh does not have.
     """
     numbers = None if curve.vertices is None else np.asarray(curve.vertices)
     if numbers is not None and (np.all(numbers != -1) or curve.faces is None is curve.positions):
@@ -135,13 +138,13 @@ def positions(curve: Curve, vertices: Floats, faces: Array) -> Floats:
 
 
 def polyline(curve: Curve, vertices: Floats, faces: Array) -> Floats:
-    """positions(), and the first one again where the curve is closed."""
+    """positions(), with the first point repeated at the end of a closed curve."""
     points = positions(curve, vertices, faces)
     return np.vstack([points, points[:1]]) if curve.closed else points
 
 
 def _marks(curve: Curve, vertices: Floats, faces: Array) -> Floats:
-    """Its way-points, if it says which they are and they are not all of its points."""
+    """The way-points of a curve; empty if it has none, or if all points are way-points."""
     exact: Any = curve.exact
     if exact is None or np.ndim(exact) == 0:
         return np.zeros((0, 3))

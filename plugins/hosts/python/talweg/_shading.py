@@ -1,4 +1,4 @@
-"""The surface of a picture: what a depth buffer sees, in the light of talweg-picture."""
+"""The shaded surface of a picture, from a depth buffer, with the light of talweg-picture."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from . import _raster
 from ._camera import Camera, normals_of, unit
 from ._types import Array, Floats
 
-_SAMPLES = 2  # for each pixel, in x and in y
+_SAMPLES = 2  # samples of each pixel, in x and in y
 MATERIAL = np.array([0.91, 0.85, 0.775])
 BACKGROUND = np.array([0.965, 0.965, 0.96])
-_SMOOTH = 0.8  # cosine of the angle between the normals of a vertex and its faces from which it is sharp
+_SMOOTH = 0.8  # cosine of the angle between the normals of a vertex and of a face, below which the edge is
+               # sharp
 
 
 def _direction(*components: float) -> Floats:
@@ -37,9 +38,9 @@ def _stored(light: Array) -> Array:
 
 
 class Surface:
-    """A mesh as a camera sees it.
+    """The shaded mesh in the view of a camera.
 
-    :param colors: sRGB in [0, 1], (n, 3) at vertices, or (m, 3) at faces; None: of the material.
+    :param colors: sRGB in [0, 1], (n, 3) at vertices, or (m, 3) at faces; None: the colour of the material.
     """
 
     def __init__(self, vertices: Floats, faces: Array, camera: Camera,
@@ -51,7 +52,7 @@ class Surface:
         self._buffer.draw(self._points, faces)
         self._pixels = np.flatnonzero(self._buffer.faces != _raster.NOTHING)
         self._shown, numbers = _compressed(self._buffer.faces[self._pixels], len(faces))
-        self._face = numbers  # of each pixel, among those shown
+        self._face = numbers  # the face of each pixel, as an index into the shown faces
         self._corners = self._points[faces[self._shown]]
         self._normals = _corner_normals(self._points, faces, self._shown)
         self._colors = None
@@ -71,14 +72,14 @@ class Surface:
         return _stored(fine.reshape(shape).mean(axis=(1, 3)))
 
     def hides(self, points: Floats) -> Array:
-        """Whether the surface is in front of points on it: (n,) booleans; not those out of frame.
+        """Whether the surface hides each of some points on it, (n,) booleans; False outside the frame.
 
         :param points: (n, 3) in the pixels of the camera.
         """
         fine = np.asarray(points) * _SAMPLES + [(_SAMPLES - 1) / 2, (_SAMPLES - 1) / 2, 0]
         at = np.rint(fine[:, :2]).astype(np.int64)
         farthest = np.full(len(fine), np.inf)
-        for x in (-1, 0, 1):  # beside a steep place the surface goes on at another depth
+        for x in (-1, 0, 1):  # a neighbouring pixel may show the surface at another depth
             for y in (-1, 0, 1):
                 column = np.clip(at[:, 0] + x, 0, self._fine.width - 1)
                 row = np.clip(at[:, 1] + y, 0, self._fine.height - 1)
@@ -100,7 +101,7 @@ class Surface:
         return np.asarray(np.stack([1 - second - third, second, third], axis=1), np.float32)
 
     def _mixed(self, values: Floats, weights: Floats) -> Floats:
-        """Values of corners, (shown, 3, k), at every pixel."""
+        """Interpolates values of corners, (shown, 3, k), to every pixel."""
         values = values.astype(np.float32)
         result: Floats = weights[:, :1] * values[self._face, 0]
         for k in (1, 2):
@@ -126,9 +127,9 @@ class Surface:
         return np.asarray(light)
 
     def _edges(self, weights: Floats) -> Floats:
-        """Thin lines along the mesh's edges where these are long enough, as factors."""
+        """Factors that darken pixels near edges of the mesh, if edges are long enough in the picture."""
         sides = self._corners[:, [1, 2, 0], :2] - self._corners[:, [2, 0, 1], :2]
-        lengths = np.linalg.norm(sides, axis=2)  # of the side across from each corner
+        lengths = np.linalg.norm(sides, axis=2)  # of the side opposite each corner
         mean = float(lengths.mean()) / _SAMPLES if len(lengths) > 0 else 0.0
         strength = 0.42 * min(max((mean - 11) / 12, 0.0), 1.0)
         if strength == 0:
@@ -140,14 +141,15 @@ class Surface:
 
 
 def _compressed(faces: Array, count: int) -> "tuple[Array, Array]":
-    """Those that occur, in their order, and the number of each among them."""
+    """The vertices that faces use, ascending, and the faces as indices into them."""
     occurs = np.zeros(count, bool)
     occurs[faces] = True
     return np.flatnonzero(occurs), (np.cumsum(occurs) - 1)[faces]
 
 
 def _corner_normals(points: Floats, faces: Array, shown: Array) -> Floats:
-    """(shown, 3, 3) unit normals in the camera's axes: the vertices', but the faces' at sharp edges."""
+    """(shown, 3, 3), unit normals in the axes of the camera: the normals of the vertices; at sharp edges, of
+    the faces."""
     flat = normals_of(points * [1, -1, 1], faces)
     flat[~np.isfinite(flat.sum(axis=1))] = 0
     at_vertices = np.stack([sum(np.bincount(faces[:, k], flat[:, x], len(points))

@@ -1,4 +1,4 @@
-"""talweg.show(): pictures and windows, by what is installed."""
+"""talweg.show(): pictures and windows by the installed packages."""
 
 from __future__ import annotations
 
@@ -21,30 +21,31 @@ def show(mesh: Any, curves: Any = None, *, file: Union[None, str, "os.PathLike[s
          axes: Any = None) -> Any:
     """Shows curves on their mesh: a window, a picture in a notebook, or a picture in a file.
 
-    :param mesh: a ``Mesh``, a mesh of another package, or a pair of arrays (vertices, faces). It
-        need not be one that can be worked on.
-    :param curves: a curve as smooth() takes it; a list of ``Curve``; a ``Result``, with its drawing;
-        or a dictionary of these by name, for a legend. What is named "drawn" is thin and red.
+    :param mesh: a ``Mesh``, a mesh of another package, or a pair of arrays (vertices, faces). It need not be
+        a surface.
+    :param curves: a curve as for smooth(); a list of ``Curve``; a ``Result``, with its drawing; or a
+        dictionary of these by name, for a legend. Curves with the name "drawn" are thin and red.
     :param file: a picture to write: .png, .pdf, .svg, ... Needs no window.
-    :param engine: "pyvista", "vedo" or "matplotlib". None: in a window the first of these that is
-        installed; pictures in files and notebooks are matplotlib's.
-    :param view: a direction (3,) from the mesh towards the eye. None: the one that shows most of the
-        curves, the same every time.
-    :param up: a direction (3,) that is upright in the picture. None: y; on open sheets, as terrains
-        are, the side that they face.
-    :param zoom: > 0; enlarges what would be shown, the curves with their surroundings.
-    :param colors: for the surface: the name of an attribute of vertices or faces, or (n,) or (m,)
-        real numbers (a ramp), whole numbers (labels), or (n, 3) or (m, 3) colours: bytes, or
-        real numbers in [0, 1].
-    :param unit: of the mesh, for the bar that tells how long things are.
+    :param engine: "pyvista", "vedo" or "matplotlib". None: for a window the first installed one; for files
+        and notebooks matplotlib.
+    :param view: a direction (3,) from the mesh towards the viewer. None: the direction that shows most of the
+        curves; equal input has equal views.
+    :param up: a direction (3,) that is upright in the picture. None: y; for open sheets such as terrains, the
+        side that the sheet faces.
+    :param zoom: > 0; a factor for the size of the curves in the picture; 1 shows them with their
+        surroundings.
+    :param colors: of the surface: the name of an attribute of vertices or faces; (n,) or (m,) real numbers,
+        shown by a ramp, or whole numbers, shown as labels; or (n, 3) or (m, 3) colours, bytes or real numbers
+        in [0, 1].
+    :param unit: unit of the mesh, for the scale bar.
     :param size: of the picture or window, pixels, in [16, 8192].
-    :param axes: matplotlib's, to draw into; nothing is shown then.
-    :returns: None; with ``axes`` these, with an engine for windows its plotter.
-    :raises BadMesh, BadCurve, BadUsage: for what cannot be shown.
+    :param axes: axes of matplotlib, to draw into; nothing is shown then.
+    :returns: None; with ``axes`` the axes; with an engine for windows its plotter.
+    :raises BadMesh, BadCurve, BadUsage: if an argument is wrong; the sentence names it.
     :raises BadFile: if the file cannot be written.
-    :raises Unsupported: where nothing is installed that can do it, or there is no window.
+    :raises Unsupported: if the needed package is not installed, or no window can be opened.
 
-    matplotlib draws the surface as an image, with the parts of curves that are behind it dotted.
+    matplotlib draws the surface as an image; hidden parts of curves are dotted.
     """
     if engine is not None and engine not in _ENGINES:
         raise BadUsage(f"engine must be one of {', '.join(_ENGINES)}, not {engine!r}.")
@@ -63,12 +64,12 @@ def show(mesh: Any, curves: Any = None, *, file: Union[None, str, "os.PathLike[s
 
 
 def curves_of(result: Result) -> Any:
-    """A result's curves and its drawing, by name."""
+    """The curves of a result and its drawing, by name."""
     return {DRAWN: result.drawn or None, "result": result.curves or None}
 
 
 def png(result: Result) -> Optional[bytes]:
-    """A picture of a result for a notebook; None where there is no matplotlib, or nothing to see."""
+    """A picture of a result for a notebook; None without matplotlib, curves or mesh."""
     if result.mesh is None or not result.curves or not _windows.there("matplotlib"):
         return None
     seen = scene(result.mesh, curves_of(result), None, None, 1.0, None, (800, 600))

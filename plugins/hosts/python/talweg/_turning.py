@@ -1,4 +1,4 @@
-"""By how much curves turn on a mesh: the library's signed_turning() and curvature_along() in numpy."""
+"""The turns of curves on a mesh: the library's signed_turning() and curvature_along() in numpy."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._types import Array, Floats, Integers
 
 @dataclass(frozen=True)
 class Turns:
-    """The turns of a curve in their order."""
+    """The turns of a curve, in order along it."""
 
     at: Floats  #: (k,) mesh units along the curve, ascending, in [0, length]
     angle: Floats  #: (k,) radians, positive to the left
@@ -23,11 +23,12 @@ class Turns:
     closed: bool
 
     def curvature_along(self, window: float) -> Tuple[Floats, Floats]:
-        """Steps (k + 1,) along the curve, mesh units, and the curvature (k,) on each, radians per mesh
-        unit, positive to the left: the sum of the turns in the window about a place over its length.
+        """Steps (k + 1,) along the curve, mesh units, and the curvature (k,) on each step, radians per mesh
+        unit, positive to the left. The curvature at a place is the sum of the turns in the window around the
+        place over the window's length.
         """
         at, angle = self.at, self.angle
-        if self.closed:  # windows reach over the end, and are not longer than the curve
+        if self.closed:  # windows extend over the end, and are shorter than the curve
             window = min(window, (1 - 1e-12) * self.length)
             at = np.concatenate([at - self.length, at, at + self.length])
             angle = np.tile(angle, 3)
@@ -41,9 +42,9 @@ class Turns:
 
 
 def turns_of(curve: Curve, vertices: Floats, faces: Array) -> Turns:
-    """The turns of a curve whose points each share a face with the next. O(faces + points).
+    """The turns of a curve whose consecutive points share a face, in O(faces + points).
 
-    It is along edges, if only ``vertices`` are given; else ``faces`` tells the face of each segment.
+    A curve with only ``vertices`` runs along edges; otherwise ``faces`` has the face of each segment.
     """
     points = positions(curve, vertices, faces)
     n = len(points)
@@ -76,14 +77,14 @@ def _vertices_of(curve: Curve, count: int) -> Integers:
 
 def _off_vertices(points: Floats, of_face: Integers, inner: Integers, vertices: Floats,
                   faces: Array) -> Floats:
-    """At points inside of faces and edges: the angle between the segments with their faces unfolded
-    into one plane, along the edge `e` that they share."""
+    """Turns at points inside faces and edges: the angle between the segments after their faces are unfolded
+    into a plane about the common edge `e`."""
     n = len(points)
     before, after = of_face[(inner - 1) % n], of_face[inner]
     one, other = faces[before], faces[after]
     shared = (one[:, :, None] == other[:, None, :]).any(axis=2)
-    # The shared edge, against the direction of the first face: the other is on its left. In one face
-    # any of its edges does.
+    # The common edge, against the orientation of the first face, so that the other face is on its left. Two
+    # segments in one face may use any of its edges.
     first = np.where(before == after, 0, np.argmin(shared, axis=1) + 1) % 3
     rows = np.arange(len(one))
     e = unit(vertices[one[rows, first]] - vertices[one[rows, (first + 1) % 3]])
@@ -103,8 +104,8 @@ def _angle(u: Floats, v: Floats) -> float:
 
 
 class _Stars:
-    """The faces around some vertices. A direction at a vertex is an angle along the surface,
-    counterclockwise from the first of its edges."""
+    """The faces around some vertices. A direction at a vertex is an angle along the surface, counterclockwise
+    from the vertex's first edge."""
 
     def __init__(self, centers: Integers, vertices: Floats, faces: Array) -> None:
         self._vertices = vertices
@@ -142,7 +143,7 @@ class _Stars:
         self._around[v] = (angle, any(left not in by_right for left in lefts))
 
     def ray(self, v: int, vertex: int, point: Floats, face: Optional[int]) -> float:
-        """The direction from v to a point, which is a vertex or in a face."""
+        """The direction from v to a point, which is the vertex ``vertex`` or lies in ``face``."""
         if vertex in self._edges[v]:
             return self._edges[v][vertex]
         if face is None or face not in self._faces[v]:
@@ -151,8 +152,8 @@ class _Stars:
         return angle + _angle(self._vertices[right] - self._vertices[v], point - self._vertices[v])
 
     def turn(self, v: int, before: float, after: float) -> float:
-        """Half the difference of the angles on the right and the left; on the boundary pi less the
-        angle inside."""
+        """Half the difference of the angles on the right and on the left; on the boundary, pi minus the angle
+        inside."""
         around, at_boundary = self._around[v]
         if at_boundary:
             return np.pi - (before - after) if before > after else (after - before) - np.pi

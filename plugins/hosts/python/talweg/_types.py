@@ -1,10 +1,10 @@
-"""Names for type hints; nothing of them is needed while programs run."""
+"""Names for type hints, which programs do not need at run time."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Callable
 
-ArrayLike = Any  # what numpy.asarray takes
+ArrayLike = Any  # any argument of numpy.asarray
 
 if TYPE_CHECKING:
     import numpy as np
@@ -16,5 +16,5 @@ if TYPE_CHECKING:
 else:
     Array = Floats = Integers = Any
 
-#: (stage, fraction in [0, 1] of that stage); False to cancel
+#: (stage, fraction in [0, 1] of the stage); False cancels
 Progress = Callable[[str, float], Any]

@@ -1,4 +1,4 @@
-"""vtkPolyData, in and out. PyVista's and vedo's meshes are, or hold, one. Needs VTK 9."""
+"""vtkPolyData as input and output. Meshes of PyVista and vedo are, or hold, a vtkPolyData. Needs VTK 9."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._errors import BadMesh
 from ._polygons import triangulated
 from ._types import Array, ArrayLike
 
-_CORNER = "corner:"  # VTK has no attributes of corners; as field data they keep this name
+_CORNER = "corner:"  # the prefix of attributes of corners, which become field data, since VTK has none
 
 
 def _numpy() -> Any:
@@ -24,7 +24,7 @@ def _data_model() -> Any:
 
 
 def polydata_of(mesh: Any) -> Optional[Any]:
-    """The vtkPolyData that a mesh of VTK, PyVista or vedo is or holds; None: it is no such thing.
+    """The vtkPolyData that a mesh of VTK, PyVista or vedo is or holds; None for any other object.
 
     :raises BadMesh: for another data set of VTK.
     """
@@ -41,7 +41,7 @@ def polydata_of(mesh: Any) -> Optional[Any]:
 
 
 def parts_of(polydata: Any) -> Parts:
-    """The polygons of a vtkPolyData, as triangles, with point and cell data."""
+    """The polygons of a vtkPolyData, triangulated, with point and cell data."""
     if polydata.GetNumberOfStrips() > 0:
         raise BadMesh("The mesh has triangle strips; vtkTriangleFilter makes triangles of them.")
     if polydata.GetNumberOfPolys() == 0:
@@ -63,7 +63,7 @@ def parts_of(polydata: Any) -> Parts:
 
 
 def _read(data: Any) -> Attributes:
-    arrays = [data.GetArray(k) for k in range(data.GetNumberOfArrays())]  # None for texts
+    arrays = [data.GetArray(k) for k in range(data.GetNumberOfArrays())]  # None for arrays of texts
     return {array.GetName(): _numpy().vtk_to_numpy(array) for array in arrays
             if array is not None and array.GetName() and not array.IsA("vtkBitArray")}
 
@@ -87,7 +87,7 @@ def _add(data: Any, name: str, values: ArrayLike) -> None:
 
 
 def _cells(corners: Array, offsets: Array) -> Any:
-    """A vtkCellArray: the corners of the cells one after the other, and where each begins."""
+    """A vtkCellArray from the corners of all cells in order, and the offset at which each cell begins."""
     cells = _data_model().vtkCellArray()
     as_ids = _numpy().numpy_to_vtkIdTypeArray
     cells.SetData(as_ids(offsets.astype(np.int64), deep=True),
@@ -121,7 +121,7 @@ def polydata(parts: Parts) -> Any:
 
 
 def lines(polylines: Sequence[Array]) -> Any:
-    """A vtkPolyData with a line for each of the polylines, (n, 3) each."""
+    """A vtkPolyData with a line for each polyline, (n, 3) each."""
     ends = np.cumsum([len(points) for points in polylines])
     result = _with_points(np.concatenate(polylines))
     result.SetLines(_cells(np.arange(ends[-1]), np.r_[0, ends]))

@@ -1,4 +1,4 @@
-"""Windows in which a scene can be turned: PyVista or vedo."""
+"""Windows with a scene that the user can turn: PyVista or vedo."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from ._types import Array
 
 
 def there(package: str) -> bool:
-    """Whether it is installed; it is not loaded."""
+    """Whether a package is installed; the package is not loaded."""
     return package in sys.modules or find_spec(package) is not None
 
 
 def has_display() -> bool:
-    """Whether a window can be opened. VTK ends the program where it tries to and cannot."""
+    """Whether a window can be opened. Without a display VTK would end the program."""
     return sys.platform in ("win32", "darwin") or bool(os.environ.get("DISPLAY"))
 
 
 def can_render() -> bool:
-    """Whether VTK can draw at all: into a window, or by a library that needs none."""
+    """Whether VTK can draw: into a window, or off screen by a library that needs no display."""
     if has_display():
         return True
     import_module("vtkmodules.vtkRenderingOpenGL2")
@@ -47,14 +47,15 @@ def _surface(scene: Scene) -> Any:
 
 
 def _position(scene: Scene) -> Array:
-    """From where an angle of 30 degrees, VTK's, shows what the scene's camera does."""
+    """The viewer's position from which VTK's view angle of 30 degrees shows the same as the scene's
+    camera."""
     camera = scene.camera
     away = 0.5 * camera.height / camera.scale / math.tan(math.radians(15))
     return np.asarray(camera.center + away * camera.axes[2])
 
 
 def pyvista(scene: Scene, off_screen: bool) -> Any:
-    """A pyvista.Plotter that is not shown yet."""
+    """A pyvista.Plotter that is not yet shown."""
     pv = import_module("pyvista")
     camera = scene.camera
     plotter = pv.Plotter(off_screen=off_screen, window_size=[camera.width, camera.height])
@@ -76,7 +77,7 @@ def pyvista(scene: Scene, off_screen: bool) -> Any:
 
 
 def vedo(scene: Scene, off_screen: bool) -> Any:
-    """A vedo.Plotter that is drawn, and waits for nobody."""
+    """A vedo.Plotter that is drawn and does not wait for the user."""
     vd = import_module("vedo")
     camera = scene.camera
     surface = vd.Mesh(_surface(scene)).phong()

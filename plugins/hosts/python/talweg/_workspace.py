@@ -1,4 +1,4 @@
-"""Workspaces: curves on a mesh, and values of parameters."""
+"""Workspaces: curves on a mesh, with values of parameters."""
 
 from __future__ import annotations
 
@@ -16,15 +16,16 @@ from ._results import Result
 if TYPE_CHECKING:
     from ._mesh import Mesh
 
-#: A number for all curves, or one for each; None: as for all.
+#: A number for all curves, or a list with a number for each; None in a list: the number for all.
 OneOrEach = Union[float, Sequence[Optional[float]]]
 
-#: Parameters of talweg.smooth, and those that have a value of theirs for each curve.
+#: Parameters of talweg.smooth for all curves, with the parameters for single curves.
 _EACH_CURVE = {"tau": "taus", "slack": "slacks", "finish": "finishes"}
 
 
 def _number_of(name: str, value: Any, choices: Sequence[str]) -> float:
-    """As the parameter for each curve has it: a choice by its number, and -1 for none."""
+    """A value in a list as a number of the parameter for single curves: a choice becomes its index, None
+    becomes -1."""
     if value is None:
         return -1.0
     if choices:
@@ -38,14 +39,13 @@ def _number_of(name: str, value: Any, choices: Sequence[str]) -> float:
 
 
 class Workspace:
-    """Curves on a mesh and values of parameters: each run repeats only what has changed.
+    """Curves on a mesh and values of parameters: each run repeats only work whose input has changed.
 
-    >>> work = talweg.Mesh(vertices, faces).workspace(drawn)
-    >>> for tau in (0, 1, 2):
-    ...     result = work.smooth(tau)     # only what tau touches
+    >>> work = talweg.Mesh(vertices, faces).workspace(drawn) >>> for tau in (0, 1, 2): ...     result =
+    work.smooth(tau)     # repeats only work that depends on tau
 
-    New curves cost what depends on them; ``tau`` and most parameters only the run. One call at a
-    time; workspaces on one mesh may run at the same time on different threads.
+    New curves repeat the stages that depend on them; ``tau`` and most parameters only the run. A workspace
+    allows one call at a time; several workspaces on one mesh may run at the same time on different threads.
     """
 
     def __init__(self, mesh: Mesh, curves: Union[CurveLike, Sequence[Curve], None] = None, *,
@@ -73,33 +73,34 @@ class Workspace:
 
     @property
     def plugin(self) -> _plugins.Plugin:
-        """What works here, and its description."""
+        """The plugin of this workspace, with its description."""
         return self._instance.plugin
 
     @property
     def parameters(self) -> Dict[str, Any]:
-        """The values of all parameters; None where there is none."""
+        """The values of all parameters by name; None for parameters without a value."""
         defaults = {p.id: p.default for p in self.plugin.parameters.values()}
         return {**defaults, **self._values}
 
     def set_curves(self, curves: Union[CurveLike, Sequence[Curve]], *, closed: bool = False,
                    progress: Any = None) -> None:
-        """Replaces the curves: a list of Curve, or one curve as talweg.smooth() takes it.
+        """Replaces the curves: a list of Curve, or one curve as for talweg.smooth().
 
-        :raises BadCurve: if one is not on the mesh, or not properly; those before stay then.
+        :raises BadCurve: if a curve does not lie on the mesh, or is invalid; the earlier curves stay then.
         """
         drawn = as_curves(curves, closed)
         self._instance.set_curves(drawn, as_progress(progress))
-        self._drawn = copy.deepcopy(drawn)  # results tell what they were made of
+        self._drawn = copy.deepcopy(drawn)  # results contain the given curves, which the caller may change
+                                            # later
 
     def set(self, **parameters: Any) -> None:
-        """New values of parameters; None: back to the default.
+        """Sets parameters; None resets a parameter to its default.
 
-        ``tau``, ``slack`` and ``finish`` may be lists with a value for each curve; None there: as
-        for all.
+        ``tau``, ``slack`` and ``finish`` may be lists with a value for each curve; None in a list: the value
+        for all curves.
 
-        :raises BadUsage: for a name that the plugin does not have, or a value out of its range;
-            the old value stays then.
+        :raises BadUsage: for a name that the plugin does not have, or a value out of range; the old value
+            stays then.
         """
         for name in parameters:
             self._check_name(name)
@@ -110,8 +111,8 @@ class Workspace:
                 self._values[name] = value
 
     def _each_curve(self, parameters: Dict[str, Any]) -> Dict[str, Any]:
-        """Lists go to the parameters for them, from which a single value takes them back unless
-        they are given beside it."""
+        """Moves lists to the parameters for single curves. A single value clears the list of an earlier call,
+        unless the same call also gives the list."""
         result: Dict[str, Any] = {}
         for name, value in parameters.items():
             each = _EACH_CURVE.get(name)
@@ -137,16 +138,16 @@ class Workspace:
 
     def run(self, *, point_fields: bool = False, vertex_fields: bool = False, meshes: bool = False,
             carry: Optional[Mapping[str, str]] = None, progress: Any = None) -> Result:
-        """Does what is not up to date yet.
+        """Does all work whose input has changed, and returns the result.
 
         :param point_fields: also ``curve.fields``: "deviation" and "curvature" of every point.
         :param vertex_fields: also ``result.fields``: "distance" of every vertex.
-        :param meshes: also ``result.meshes``, of plugins that make some, with the mesh's attributes.
-        :param carry: how these are carried, as for talweg.cut().
-        :param progress: a function (stage, fraction in [0, 1]), called on this thread, that may
-            return False to cancel; or a tqdm bar. What it raises comes out of here.
-        :raises Cancelled: if it returned False, or cancel() was called.
-        :raises KeyboardInterrupt: on Ctrl-C, soon; the workspace stays usable.
+        :param meshes: also ``result.meshes``, the meshes that the plugin makes, with interpolated attributes.
+        :param carry: rules for the attributes, as for talweg.cut().
+        :param progress: a function (stage, fraction in [0, 1]), called on this thread, that may return False
+            to cancel; or a tqdm bar. Its exceptions are raised by run().
+        :raises Cancelled: if ``progress`` returned False, or cancel() was called.
+        :raises KeyboardInterrupt: soon after Ctrl-C; the workspace stays usable.
         :raises Error: BadCurve, BadUsage, ...: the sentence says what is wrong, and where.
         """
         call = as_progress(progress)
@@ -160,12 +161,12 @@ class Workspace:
 
     def smooth(self, tau: Optional[OneOrEach] = None, *, point_fields: bool = False,
                vertex_fields: bool = False, progress: Any = None, **parameters: Any) -> Result:
-        """set(tau=tau, **parameters) and run(); without ``tau`` it stays as it is."""
+        """set(tau=tau, **parameters) and run(). tau=None: tau stays."""
         if tau is not None:
             parameters["tau"] = tau
         self.set(**parameters)
         return self.run(point_fields=point_fields, vertex_fields=vertex_fields, progress=progress)
 
     def cancel(self) -> None:
-        """From any thread: a run that is at work ends soon, with Cancelled."""
+        """From any thread: the current run ends soon, with Cancelled."""
         self._instance.cancel()

@@ -1,4 +1,4 @@
-# The one that ../cholmod built in TALWEG_CHOLMOD_BUILD, from the sources in TALWEG_SUITESPARSE.
+# The CHOLMOD that ../cholmod built in TALWEG_CHOLMOD_BUILD, from the sources in TALWEG_SUITESPARSE.
 set(CHOLMOD_LIBRARY ${TALWEG_CHOLMOD_BUILD}/libtalweg-cholmod.so.3 CACHE FILEPATH "")
 if(NOT TARGET SuiteSparse::CHOLMOD)
   add_library(SuiteSparse::CHOLMOD SHARED IMPORTED GLOBAL)

@@ -1,4 +1,4 @@
-# Debian has it as a static library, whose code needs nothing new of glibc.
+# Debian's pugixml is a static library, whose code needs no new symbol of glibc.
 if(NOT TARGET pugixml::pugixml)
   add_library(pugixml::pugixml STATIC IMPORTED GLOBAL)
   set_target_properties(pugixml::pugixml PROPERTIES

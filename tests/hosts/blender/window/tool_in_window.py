@@ -1,8 +1,5 @@
-"""The tool in Blender's own window: simulated events, from the toolbar to undo after Enter; and long work that
-Esc ends.
-
-xvfb-run -a blender --factory-startup --enable-event-simulate --python tool_in_window.py -- ADDON.zip
-"""
+"""The tool in Blender's window, by simulated events from the toolbar to an undo after Enter; and long work
+that Esc ends."""
 
 import os
 import shutil
@@ -33,7 +30,7 @@ def curves():
 
 
 class Hand:
-    """Moves and presses at places of the hills, which are seen from above."""
+    """Moves and presses the mouse at places of the hills, which are seen from above."""
 
     def __init__(self, window, area, region):
         self.window, self.area, self.region = window, area, region
@@ -73,7 +70,7 @@ class Hand:
 
 
 def until(condition, what):
-    """Waits at most two minutes: the machine may be busy."""
+    """Waits up to two minutes, since the machine may be busy."""
     begin = time.monotonic()
     while time.monotonic() - begin < 120:
         if condition():
@@ -83,22 +80,22 @@ def until(condition, what):
 
 
 def passes(place):
-    """Whether the curve passes a place of the hills."""
+    """Whether the curve passes close to a place of the hills."""
     if not curves() or not curves()[0].data.splines:
         return False
     import scene
 
     points = scene.spline_points(curves()[0])
-    return np.linalg.norm(points - [*place, hill(*place)], axis=1).min() < 0.2  # pixels are 0.1 wide
+    return np.linalg.norm(points - [*place, hill(*place)], axis=1).min() < 0.2  # pixels are 0.1 units wide
 
 
 def steps():
-    """What is done; each yield lets Blender work."""
+    """The actions of the test; each yield lets Blender run."""
     import scene
     import support
 
     scene.empty()
-    name = scene.add_mesh(*support.hills()).name  # undo makes other objects
+    name = scene.add_mesh(*support.hills()).name  # undo replaces objects
     window = bpy.context.window_manager.windows[0]
     area = next(one for one in window.screen.areas if one.type == "VIEW_3D")
     region = next(one for one in area.regions if one.type == "WINDOW")
@@ -153,7 +150,7 @@ def steps():
     cube = bpy.context.object.name
     bpy.context.view_layer.objects.active = bpy.data.objects[name]
     yield
-    for _ in range(2):  # the first selects it
+    for _ in range(2):  # the first click selects the object
         yield from hand.click((-12, 20))
     yield from until(tool.is_at_work, "a click on another mesh begins there")
     assert tool._now[0]._drawn.object_name == cube == bpy.context.object.name, bpy.context.object.name
@@ -164,7 +161,7 @@ def steps():
 
 
 def specks(segments, rings):
-    """A ball with two materials, by chance for each face."""
+    """A ball with two materials, random for each face."""
     bpy.ops.mesh.primitive_uv_sphere_add(segments=segments, ring_count=rings, radius=5)
     mesh = bpy.context.object.data
     for name in ("one", "other"):
@@ -176,12 +173,12 @@ def specks(segments, rings):
 
 
 def at_work():
-    """Threads of the add-on that are alive."""
+    """Living threads of the add-on."""
     return [one for one in threading.enumerate() if one.name == "talweg"]
 
 
 class Held:
-    """Calls of a function of talweg.Mesh wait until they are let go, or stopped, or for a minute."""
+    """Makes calls of a function of talweg.Mesh wait until they are released, or stopped, or for a minute."""
 
     def __init__(self, name):
         from talweg_blender.package import talweg
@@ -204,7 +201,7 @@ class Held:
 
 
 def ball():
-    """The name of a ball, with a selected curve that goes round it."""
+    """Makes a ball with a selected curve around it; returns the ball's name."""
     import scene
 
     scene.empty()
@@ -232,7 +229,7 @@ def counts():
 
 
 def all_beside_steps(window, area, region):
-    """Operators of meshes: Blender lives meanwhile, Esc ends them, and what is done can be undone."""
+    """Operators on meshes: Blender stays usable, Esc ends them, and their changes can be undone."""
     import scene
 
     hand = Hand(window, area, region)
@@ -243,7 +240,7 @@ def all_beside_steps(window, area, region):
             return getattr(bpy.ops.talweg, name)("INVOKE_DEFAULT")
 
     def turned(name):
-        """With a face that disagrees, in edit mode: that is where such a mesh is refused."""
+        """Inverts a face, in edit mode, where such a mesh is refused."""
         obj = bpy.data.objects[name]
         obj.data.polygons[40].flip()
         obj.data.update()
@@ -274,7 +271,7 @@ def all_beside_steps(window, area, region):
         if name == "repair":
             bpy.ops.object.mode_set(mode="OBJECT")
             assert not is_turned(bpy.data.objects[obj].data)
-            hand.key("Z", (30, 30), ctrl=True)  # the change of mode
+            hand.key("Z", (30, 30), ctrl=True)  # undoes the change of mode
             yield
         else:
             assert counts()[1] > before[1], name
@@ -298,21 +295,21 @@ def all_beside_steps(window, area, region):
         for _ in range(5):
             yield
         assert counts() == before, f"{name} leaves what was changed"
-        hand.key("ESC", (30, 30))  # closes the error at the pointer
+        hand.key("ESC", (30, 30))  # closes the error's menu at the mouse pointer
         yield
         held.restore()
     scene.empty()
 
 
 def is_turned(mesh):
-    """Whether an edge is passed twice in one direction."""
+    """Whether an oriented edge occurs twice."""
     passed = [(a, b) for polygon in mesh.polygons for a, b in
               zip(polygon.vertices, [*polygon.vertices[1:], polygon.vertices[0]])]
     return len(set(passed)) < len(passed)
 
 
 def border_steps(window, area, region):
-    """Smooth Material Borders: Blender lives meanwhile, Esc ends it, and what is done can be undone."""
+    """Smooth Material Borders: Blender stays usable, Esc ends it, and its change can be undone."""
     import scene
 
     hand = Hand(window, area, region)
@@ -350,14 +347,14 @@ def border_steps(window, area, region):
 
 
 def run(work):
-    """A step for each call; the program ends with the work."""
+    """Runs a step on each call; ends the program after the last."""
     try:
         next(work)
         return 0.05
     except StopIteration:
         print("The tool works in its window.", flush=True)
         os._exit(0)
-    except BaseException:  # a timer must not go on after a failure
+    except BaseException:  # the timer must not continue after a failure
         traceback.print_exc()
         sys.stderr.flush()
         os._exit(1)

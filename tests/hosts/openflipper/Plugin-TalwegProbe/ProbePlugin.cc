@@ -45,7 +45,7 @@ void scroll_to(QWidget& widget) {
   }
 }
 
-/// What a label says, and the rows of a list.
+/// The text of a label, or the rows of a list.
 QString text_of(const QWidget& widget) {
   if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
   const auto* list = qobject_cast<const QTreeWidget*>(&widget);
@@ -59,7 +59,7 @@ QString text_of(const QWidget& widget) {
   return rows.join(", ");
 }
 
-/// A node of the scene that is shown; null where it or one above it is hidden.
+/// A visible node of the scene; null if the node or one above it is hidden.
 template <class Node>
 Node* shown(const char* name) {
   ACG::SceneGraph::BaseNode* found = PluginFunctions::getSceneGraphRootNode()->find(name);
@@ -77,7 +77,8 @@ double longest_segment(const ACG::SceneGraph::LineNode& lines) {
   return longest;
 }
 
-/// On the surface no segment is longer than the longest edge; a chord through the body is.
+/// The longest edge of the mesh. A segment on the surface is not longer; a chord through the body
+/// is.
 double longest_edge() {
   double longest = 0;
   for (PluginFunctions::ObjectIterator it(PluginFunctions::ALL_OBJECTS, DATA_TRIANGLE_MESH);
@@ -138,7 +139,7 @@ void ProbePlugin::slotObjectUpdated(int _identifier, const UpdateType& _type) {
   what_.clear();
 }
 
-/// What the last picture had of the drawing.
+/// Logs the nodes of the drawing in the last picture.
 void ProbePlugin::tell_scene() {
   using ACG::SceneGraph::LineNode;
   using ACG::SceneGraph::PointNode;
@@ -164,7 +165,7 @@ void ProbePlugin::tell_scene() {
 
 QString ProbePlugin::widgetPosition(QString name) {
   if (OpenFlipper::Options::nogui()) return {};
-  QApplication::processEvents();  // layouts that wait
+  QApplication::processEvents();  // pending layouts
   const QWidget* widget = widget_of(name);
   return widget == nullptr ? QString() : place_of(*widget);
 }
@@ -173,7 +174,7 @@ void ProbePlugin::answer() {
   QFile file(qEnvironmentVariable("TALWEG_PROBE"));
   if (!file.open(QIODevice::ReadOnly)) return;
   const QString name = QString::fromUtf8(file.readAll()).trimmed();
-  if (name.isEmpty()) return;  // it is being written
+  if (name.isEmpty()) return;  // the file is still being written
   if (QWidget* widget = widget_of(name)) {
     scroll_to(*widget);
     QApplication::processEvents();
@@ -190,7 +191,7 @@ QString ProbePlugin::screenPosition(int meshId, int vertex) {
   if (vertex < 0 || static_cast<std::size_t>(vertex) >= mesh.n_vertices()) return {};
   auto& state = PluginFunctions::viewerProperties(0).glState();
   const ACG::Vec3d s = state.project(mesh.point(TriMesh::VertexHandle(vertex)));
-  QPoint origin;  // of the viewer
+  QPoint origin;  // top left corner of the viewer
   for (const QWidget* widget : QApplication::allWidgets()) {
     if (!widget->inherits("QGraphicsView") || !widget->isVisible()) continue;
     origin = widget->mapToGlobal(QPoint(0, 0));

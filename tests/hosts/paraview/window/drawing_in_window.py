@@ -1,5 +1,4 @@
-"""The widget that draws on the mesh, in ParaView's own window: events of its view, from clicks to
-abort.
+"""The widget that draws on the mesh in ParaView's window, by events of its view from clicks to an abort.
 
 xvfb-run -a paraview --dr --script=drawing_in_window.py
 """
@@ -14,14 +13,14 @@ from vtkmodules.vtkCommonCore import reference
 
 try:
     pv.LoadPlugin(os.environ["TALWEG_PARAVIEW"], remote=False, ns=vars(pv))
-except Exception:  # else the window would wait for its user
+except Exception:  # otherwise the window would wait for a user
     traceback.print_exc()
     sys.stderr.flush()
     os._exit(1)
 
 
 class Hand:
-    """Moves and presses in a view, at places of space."""
+    """Moves and presses the mouse in a view at places in space."""
 
     def __init__(self, view):
         self.view = view
@@ -61,7 +60,7 @@ def near(a, b):
 
 
 def until(condition, what):
-    """Waits at most two minutes: the machine may be busy."""
+    """Waits up to two minutes, since the machine may be busy."""
     for _ in range(1200):
         if condition():
             return
@@ -70,7 +69,7 @@ def until(condition, what):
 
 
 def look(view, z):
-    """At the origin, from a place on the z axis."""
+    """Looks at the origin from a place on the z axis."""
     view.CameraPosition = [0, 0, z]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 1, 0]
@@ -78,12 +77,12 @@ def look(view, z):
 
 
 def ball(x, y):
-    """On the unit sphere, seen from +z."""
+    """A point on the unit sphere, on the side of +z."""
     return (x, y, math.sqrt(1 - x * x - y * y))
 
 
 def forward(representation):
-    """By how much lines are drawn before what lies at their depth."""
+    """The depth offset by which lines are drawn in front."""
     shown = representation.SMProxy.GetClientSideObject().GetActiveRepresentation()
     factor, units = reference(0.0), reference(0.0)
     shown.GetActor().GetMapper().GetRelativeCoincidentTopologyLineOffsetParameters(factor, units)
@@ -91,7 +90,8 @@ def forward(representation):
 
 
 def balls_at_ends(view):
-    """ParaView marks the last point by a cone that points along the line, often into the mesh."""
+    """Whether the last point is shown as a ball; ParaView's cone would point along the line, often into the
+    mesh."""
     props = view.GetRenderer().GetViewProps()
     drawings = [props.GetItemAsObject(k) for k in range(props.GetNumberOfItems())
                 if props.GetItemAsObject(k).IsA("vtkCurveRepresentation")]
@@ -99,7 +99,7 @@ def balls_at_ends(view):
 
 
 def steps():
-    """What is done; each yield lets ParaView work."""
+    """The actions of the test; each yield lets ParaView run."""
     pv.GetSettingsProxy("GeneralSettings").AutoApply = 1
     sphere = pv.Sphere(Radius=1, ThetaResolution=64, PhiResolution=64)
     view = pv.GetActiveViewOrCreate("RenderView")
@@ -116,7 +116,8 @@ def steps():
         yield
 
     assert forward(curves) > 100, "half of a wide line would be behind slopes"
-    view.CameraPosition = [0.9, 0.9, 0.9]  # beside the ball, in its box: depth begins at the camera
+    view.CameraPosition = [0.9, 0.9, 0.9]  # beside the ball, in its box, where the range of depth begins at
+                                           # the camera
     pv.Render(view)
     assert 0 < forward(curves) < 50, "the line would be seen through the mesh"
     look(view, 6)
@@ -130,7 +131,7 @@ def steps():
     yield from until(lambda: near(clicked(filter)[3], ball(0.2, -0.6)), "a point is dragged")
     assert len(clicked(filter)) == 4
 
-    # The line between the points is in the ball; what is seen is the curve on it.
+    # The line between the points is inside the ball; the visible curve is on the ball.
     curve = pv.servermanager.Fetch(filter, idx=0)
     places = [curve.GetPoint(k) for k in range(curve.GetNumberOfPoints())]
     third = min(range(len(places)), key=lambda k: math.dist(places[k], ball(0.5, 0)))
@@ -141,7 +142,7 @@ def steps():
     yield from until(lambda: len(clicked(filter)) == 5, "dragging the curve makes a point")
     assert near(clicked(filter)[3], ball(0.6, -0.5)), clicked(filter)
 
-    # Seen from behind, nothing of the other side is taken hold of.
+    # In a view from behind, points on the far side cannot be grabbed.
     before = clicked(filter)
     look(view, -6)
     yield
@@ -152,7 +153,7 @@ def steps():
 
 
 def run(work, interactor):
-    """A step for each call; the program ends with the work."""
+    """Runs a step on each call; ends the program after the last."""
 
     def step(*_):
         try:
@@ -160,7 +161,7 @@ def run(work, interactor):
         except StopIteration:
             print("The drawing works in its window.", flush=True)
             os._exit(0)
-        except BaseException:  # a timer must not go on after a failure
+        except BaseException:  # the timer must not continue after a failure
             traceback.print_exc()
             sys.stderr.flush()
             os._exit(1)

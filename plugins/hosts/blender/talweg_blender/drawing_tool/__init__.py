@@ -1,1 +1,1 @@
-"""A tool that draws on the mesh while the result is seen: its values, its thread, and its events."""
+"""A tool to draw on the mesh with a live result: its values, its thread, and its events."""

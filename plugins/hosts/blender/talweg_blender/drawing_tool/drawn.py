@@ -1,10 +1,11 @@
-"""The tool on a scene: a drawing, its thread, and the curve object that shows the result."""
+"""The state of the tool in a scene: a drawing, the thread that smooths it, and the curve object with the
+result."""
 
 import json
 
 import bpy
 
-from .. import again, colours, curve_object, jobs, outcomes, parameters, sentences, session, settings
+from .. import colours, curve_object, jobs, outcomes, parameters, resmoothing, sentences, session, settings
 from ..naming import named
 from ..package import talweg
 from .editor import State
@@ -14,13 +15,13 @@ from .work import Work, lines_of
 
 
 class Drawn:
-    """Until finish() or drop() nothing but the curve object changes.
+    """A drawing that is being edited. Until finish() or drop() only its curve object changes.
 
-    Objects are looked up by name: Blender's undo makes others in their place.
+    Objects are looked up by name, since Blender's undo replaces them.
     """
 
     def __init__(self, context, obj, curve=None, output="CURVE", repair=False):
-        """:param curve: one that was made before, to go on with; None: a new one.
+        """:param curve: the curve object of an earlier drawing to edit; None: a new drawing.
         :raises talweg.Error: if nothing can be drawn on the mesh.
         """
         self.is_new = curve is None
@@ -35,9 +36,9 @@ class Drawn:
         self.live = Live(self.place.mesh(repair))
         self.object_name = obj.name
         self.as_shown = as_shown
-        self.error = ""  # of the last answer
+        self.error = ""  # of the last answer; empty: none
         self.told = ""
-        self.decisive = ""  # by what the result may be of no use
+        self.decisive = ""  # the decisive warnings of the result, by which it may be of no use
         self.result = None
         ground = Ground(self.place, self._shown)
         if self.is_new:
@@ -51,10 +52,10 @@ class Drawn:
             state = State(lines_of(settings.drawn_on(curve, self.place), ground), settings.of(curve).tau)
             self._before = _saved(curve)
         self.curve_name = curve.name
-        self._asked = None  # what was asked for last
+        self._asked = None  # the drawing of the last request
         self._begun = state
         self.work = Work(ground, state, self.ask)
-        again.others.append(self._take)
+        resmoothing.others.append(self._take)
         if not self.is_new:
             self.ask()
 
@@ -70,14 +71,15 @@ class Drawn:
 
     @property
     def is_there(self):
-        """Whether nobody has removed what is worked on."""
+        """Whether the mesh and the curve object still exist."""
         return self.object is not None and self.curve is not None
 
     def _shown(self):
         return self.object.evaluated_get(bpy.context.evaluated_depsgraph_get())
 
     def _take(self, _context, curve):
-        """Values that were changed in the sidebar. Returns whether the curve is ours."""
+        """Takes values that the user changed in the sidebar. Returns whether the curve belongs to the
+        tool."""
         if curve.name != self.curve_name:
             return False
         self.work.editor.set_tau(settings.of(curve).tau)
@@ -87,7 +89,7 @@ class Drawn:
     # ---- Results.
 
     def ask(self):
-        """For the result of what is drawn now; it comes by poll()."""
+        """Requests the result of the current drawing; poll() shows it."""
         curves, of_lines = self.work.editor.curves()
         kept = settings.of(self.curve)
         with settings.quietly():
@@ -107,11 +109,11 @@ class Drawn:
         colours.remove(self.curve)
 
     def poll(self):
-        """Shows what has come. Returns whether something has."""
+        """Shows the newest answer. Returns whether there was one."""
         return self._shows(self.live.poll())
 
     def wait(self):
-        """The same, when all that was asked for is there."""
+        """Waits for the answer to the last request and shows it, as poll()."""
         return self._shows(self.live.wait())
 
     def _shows(self, answer):
@@ -132,7 +134,10 @@ class Drawn:
     # ---- The end.
 
     def finish(self, context):
-        """A sentence, and warnings; raises talweg.Error, and everything stays as it is then."""
+        """Ends with the result in the scene. Returns a sentence, and warnings.
+
+        :raises talweg.Error: if there is no result; nothing changes then.
+        """
         self.work.editor.finish()
         if self._asked != self.work.editor.drawn:
             self.ask()
@@ -158,7 +163,7 @@ class Drawn:
         return f"{self.told} {told}".strip(), warnings + more
 
     def drop(self):
-        """As it was before."""
+        """Ends without a result: an edited curve object gets its earlier values, a new one is removed."""
         curve = self.curve
         self.close()
         if curve is None:
@@ -169,8 +174,8 @@ class Drawn:
             _restore(bpy.context, curve, self._before)
 
     def close(self):
-        if self._take in again.others:
-            again.others.remove(self._take)
+        if self._take in resmoothing.others:
+            resmoothing.others.remove(self._take)
         self.live.close()
 
 
@@ -184,7 +189,7 @@ def _restore(context, curve, values):
     with settings.quietly():
         for name, value in values.items():
             setattr(settings.of(curve), name, value)
-    again.smooth(context, curve)
+    resmoothing.smooth(context, curve)
 
 
 def _remove(curve):

@@ -1,4 +1,4 @@
-"""Edits of a drawing, each of which can be undone."""
+"""Edits of a drawing, with undo."""
 
 from typing import NamedTuple, Tuple
 
@@ -12,12 +12,12 @@ class State(NamedTuple):
 
 
 class Editor:
-    """A drawing and its history. What a hand does between press and release is one step."""
+    """A drawing and its history. All edits between press() and release() are one step of undo."""
 
     def __init__(self, state=State()):
         self.state = state
         self._past, self._future = [], []
-        self._before = None  # the state at the press of a hand
+        self._before = None  # the state at the last press()
 
     @property
     def lines(self):
@@ -39,7 +39,7 @@ class Editor:
     # ---- The hand.
 
     def press(self):
-        """What follows until release() is one step."""
+        """Begins a step of undo, which release() ends."""
         self._before = self.state
 
     def release(self):
@@ -49,7 +49,7 @@ class Editor:
             self._future = []
 
     def take_back(self):
-        """As it was at the press."""
+        """Restores the state at the last press()."""
         if self._before is not None:
             self.state, self._before = self._before, None
 
@@ -67,17 +67,18 @@ class Editor:
 
     @property
     def unfinished(self):
-        """The number of the line that clicks go on with, or None."""
+        """The number of the line that the next click extends, or None."""
         last = len(self.lines) - 1
         return last if last >= 0 and not self.lines[last].finished else None
 
     def begin(self, point):
-        """A line of its own from here."""
+        """Begins a new line at this point."""
         self.finish()
         self._become(self.state._replace(lines=self.lines + (Line((point,)),)))
 
     def append(self, point):
-        """To the line that is being drawn, or to a new one; what is there already is not drawn twice."""
+        """Adds a point to the unfinished line, or begins a line with it. A point at the end of the line is
+        not repeated."""
         number = self.unfinished
         if number is None:
             self.begin(point)
@@ -86,7 +87,8 @@ class Editor:
             self._replaced(number, line._replace(points=line.points + (point,)))
 
     def go_on(self, number, at_start=False):
-        """Clicks and strokes go on at an end of this line, which becomes the last one."""
+        """Makes the line unfinished, so that clicks and strokes extend it at its end or at its start. The
+        line becomes the last of the drawing."""
         self.finish()
         line = self.lines[number]
         line = line._replace(points=line.points[::-1] if at_start else line.points, finished=False)
@@ -94,14 +96,14 @@ class Editor:
         self._become(self.state._replace(lines=others + (line,)))
 
     def finish(self):
-        """What is drawn next is another line; a single point is none."""
+        """Finishes the line: the next point begins another one. A line of a single point is removed."""
         number = self.unfinished
         if number is not None:
             line = self.lines[number]
             self._replaced(number, line._replace(finished=True) if len(line.points) > 1 else None)
 
     def close(self, number, closed=True):
-        """Back to its first point, if it has three."""
+        """Closes or opens a line. A line with fewer than three points stays open."""
         line = self.lines[number]
         if closed and len(line.points) < 3:
             return
@@ -113,14 +115,14 @@ class Editor:
         self._replaced(number, lines.inserted(self.lines[number], before, point))
 
     def move(self, number, at, point, start):
-        """From a line as it was at the press."""
+        """Moves a point of ``start``, the line at the last press()."""
         self._replaced(number, lines.bent(start, at, point))
 
     def remove(self, number, at):
         self._replaced(number, lines.without(self.lines[number], at))
 
     def remove_last(self):
-        """Of the line that is being drawn, else the last line."""
+        """Removes the last point of the unfinished line; without one, the last line."""
         number = self.unfinished
         if number is not None:
             self.remove(number, len(self.lines[number].points) - 1)
@@ -134,10 +136,10 @@ class Editor:
 
     @property
     def drawn(self):
-        """Equal when the result is the same."""
+        """A value that is equal for drawings with the same result."""
         return [(line.points, line.closed) for line in self.lines if line.is_curve], self.state.tau
 
     def curves(self):
-        """talweg.Curves, and the line of each."""
+        """The talweg.Curves of the drawing, and the number of the line of each."""
         numbers = [number for number, line in enumerate(self.lines) if line.is_curve]
         return [self.lines[number].curve() for number in numbers], numbers

@@ -1,4 +1,4 @@
-"""Points of the surface: where a ray meets it, and what is nearest to a position."""
+"""Points of the surface: the first on a ray, and the nearest to a position."""
 
 import numpy as np
 
@@ -6,9 +6,9 @@ from .lines import Point
 
 
 class Ground:
-    """The surface as Blender's own trees know it; they are made once and are fast.
+    """Points of the surface, found by Blender's own search trees, which are quick and made once.
 
-    :param shown: gives the evaluated object whenever it is asked, since Blender replaces it.
+    :param shown: a function that returns the evaluated object; Blender replaces the object now and then.
     """
 
     def __init__(self, surface, shown):
@@ -26,7 +26,8 @@ class Ground:
         return self._point(place, polygon, exact) if found else None
 
     def sees(self, view, position, pixels=6):
-        """Whether nothing of the surface is before it, up to so many pixels of its own size."""
+        """Whether the surface hides the position from the eye. A part that is at most ``pixels`` before it
+        does not count."""
         origin, direction = view.ray(view.project([position])[0])
         found, place, _, _ = self._shown().ray_cast(origin.tolist(), direction.tolist())
         if not found:
@@ -35,7 +36,7 @@ class Ground:
         return behind <= max(pixels * view.pixel_at(position), min(self.surface.edge, self.surface.size / 200))
 
     def at(self, face, barycentric, exact=False):
-        """The Point of given coordinates."""
+        """The Point with these barycentric coordinates."""
         arrays = self.surface.arrays
         corners = arrays.vertices[arrays.triangles[face]].astype(float)
         return Point(int(face), tuple(map(float, barycentric)), tuple(np.asarray(barycentric) @ corners), exact)
@@ -49,7 +50,7 @@ class Ground:
 
 
 def _in_triangle(corners, position):
-    """Barycentrics of the nearest point, and how far that is."""
+    """Barycentrics of the point of the triangle nearest to ``position``, and its distance."""
     a, b, c = corners
     solved, *_ = np.linalg.lstsq(np.stack([b - a, c - a], -1), np.subtract(position, a), rcond=None)
     weights = np.clip([1 - solved.sum(), *solved], 0, None)

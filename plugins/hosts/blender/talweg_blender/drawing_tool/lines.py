@@ -1,4 +1,4 @@
-"""What is drawn, as values: points on the mesh, lines of them, and the edits of a hand."""
+"""A drawing as immutable values: points on the mesh, lines of points, and edits of lines."""
 
 from typing import NamedTuple, Tuple
 
@@ -8,18 +8,18 @@ from ..package import talweg
 
 
 class Point(NamedTuple):
-    """On a triangle of the surface."""
+    """A point in a triangle of the surface."""
 
     face: int
     barycentric: Tuple[float, float, float]
-    position: Tuple[float, float, float]  # in the object's own space
-    exact: bool = False  # clicked, or pinned: the result passes through it
+    position: Tuple[float, float, float]  # in the space of the object
+    exact: bool = False  # a way-point or a pin: the result passes through it
 
 
 class Line(NamedTuple):
     points: Tuple[Point, ...] = ()
     closed: bool = False
-    finished: bool = False  # further clicks begin another one
+    finished: bool = False  # the next point begins another line
 
     @property
     def is_curve(self):
@@ -31,7 +31,7 @@ class Line(NamedTuple):
         return np.array([point.position for point in self.points], float).reshape(-1, 3)
 
     def curve(self):
-        """As Talweg takes it."""
+        """The talweg.Curve of the line."""
         exact = np.array([point.exact for point in self.points])
         return talweg.Curve(faces=np.array([point.face for point in self.points]),
                             barycentrics=np.array([point.barycentric for point in self.points]),
@@ -39,7 +39,7 @@ class Line(NamedTuple):
 
 
 def distance(one, other):
-    """Straight, between points."""
+    """The straight distance between two points."""
     return float(np.linalg.norm(np.subtract(one.position, other.position)))
 
 
@@ -48,7 +48,7 @@ def inserted(line, before, point):
 
 
 def without(line, at):
-    """The line without a point; None if too little is left."""
+    """The line without one of its points; None if no point is left."""
     left = line._replace(points=line.points[:at] + line.points[at + 1:])
     if left.closed and len(left.points) < 3:
         left = left._replace(closed=False)
@@ -56,8 +56,8 @@ def without(line, at):
 
 
 def bent(line, at, to):
-    """The line with its point moved, and without the stroke beside it: so far to either side as it
-    moved. Points that are exact stay where they are."""
+    """The line with one point moved to ``to``. Points of the stroke on either side, up to the length of the
+    move, are removed; exact points stay."""
     reach = distance(line.points[at], to)
     kept = [to]
     for step in (-1, 1):
@@ -75,13 +75,13 @@ def bent(line, at, to):
 
 
 def place_on(line, along, segment):
-    """Before which point of a line something belongs that lies on a segment of its result; as leg_at() of
-    talweg::editing, which is C++, says it.
+    """The index of the point of the drawn line before which a new point belongs that lies on ``segment`` of
+    the result. The same as leg_at() of talweg::editing in C++.
 
     :param along: (k, 3), the points of the result.
     """
     given = line.positions
-    if line.closed:  # from its point next to the first one, where it also ends
+    if line.closed:  # turned, so that it begins and ends at its point nearest to the first drawn point
         first = int(((along - given[0]) ** 2).sum(axis=1).argmin())
         along = np.concatenate([along[first:], along[:first + 1]])
         segment = (segment - first) % (len(along) - 1)
@@ -90,10 +90,10 @@ def place_on(line, along, segment):
 
 
 def _passed_at(given, along):
-    """The point of a polyline next to each given one, in order, so that the sum of the squared distances
-    is least: near stretches of a line that comes back are not taken for each other."""
-    best = np.zeros(len(along))  # of the points so far, with the last one there or before
-    reached = []  # where it is best to have the point there itself
+    """For each given point a point of a polyline, in ascending order, with the least sum of squared
+    distances. The order keeps apart stretches of a line that comes back close to itself."""
+    best = np.zeros(len(along))  # best[i]: least sum for the points so far, with the last at i or before
+    reached = []  # reached[p][i]: the sum is least with point p at i itself
     for point in given:
         here = best + ((along - point) ** 2).sum(axis=1)
         best = np.minimum.accumulate(here)

@@ -1,4 +1,4 @@
-"""Smooths on a thread of its own while the hand moves; the newest request wins."""
+"""Smooths on a thread of its own while the user draws. The newest request replaces the waiting one."""
 
 import threading
 from typing import Any, NamedTuple, Optional
@@ -10,8 +10,8 @@ class Request(NamedTuple):
     curves: list
     values: dict
     fields: dict = {}
-    preview: bool = False  # only the stretch that is being dragged
-    tag: Any = None  # comes back with the answer
+    preview: bool = False  # smooth only the stretch that is being dragged
+    tag: Any = None  # returned with the answer
 
 
 class Answer(NamedTuple):
@@ -21,7 +21,7 @@ class Answer(NamedTuple):
 
 
 class Live:
-    """A workspace of an opened mesh, which belongs to the thread."""
+    """The thread, which owns a workspace of an opened mesh."""
 
     def __init__(self, mesh):
         self._workspace = mesh.workspace()
@@ -32,20 +32,20 @@ class Live:
         self._thread.start()
 
     def ask(self, request):
-        """Soon; what was asked before and is not begun is forgotten."""
+        """Sets the request that the thread takes next; a waiting request is dropped."""
         with self._changed:
             self._asked = request
             self._changed.notify_all()
 
     def poll(self):
-        """The newest answer, once; None if there is no new one."""
+        """The newest answer, which is given once; None if there is no new one."""
         with self._changed:
             answer, self._answer = self._answer, None
             return answer
 
     def wait(self):
-        """The answer to what was asked last, or None if all answers were taken. What is at work for an
-        earlier drawing is not waited for."""
+        """The answer to the newest request; None if all answers were given. The run for an earlier request is
+        cancelled."""
         with self._changed:
             if self._asked is not None and self._at_work is not None:
                 self._workspace.cancel()
@@ -58,7 +58,7 @@ class Live:
             return self._asked is not None or self._at_work is not None
 
     def close(self):
-        """What is at work ends soon, without an answer."""
+        """Cancels the run and ends the thread; there is no answer."""
         with self._changed:
             self._ends, self._asked = True, None
             self._changed.notify_all()
@@ -83,6 +83,6 @@ class Live:
             result = self._workspace.smooth(preview=request.preview, **request.values, **request.fields)
         except talweg.Error as error:
             return Answer(request, error=error)
-        except Exception as error:  # a fault of ours must not leave the tool waiting
+        except Exception as error:  # an error of any kind must reach the tool, which waits for an answer
             return Answer(request, error=talweg.Internal(f"{type(error).__name__}: {error}"))
         return Answer(request, result)

@@ -1,4 +1,4 @@
-"""What is drawn over the view while the tool is at work: the drawing, its points, what is under the mouse."""
+"""Draws over the view while the tool is active: the drawing, its points, and the point under the mouse."""
 
 import bpy
 import gpu
@@ -10,7 +10,10 @@ _POINT, _RIM, _UNDER, _END = (1, 1, 1, 1), (0, 0, 0, 1), (1.0, 0.75, 0.1, 1), (0
 
 
 class Overlay:
-    """:param state: gives (Work, View) of what is shown, or None."""
+    """The handler that Blender calls after it has drawn the view.
+
+    :param state: a function that returns (Work, View), or None if nothing is to be drawn.
+    """
 
     def __init__(self, state):
         self._state = state
@@ -47,7 +50,7 @@ def _is_seen(work, view, handle):
 
 
 def _strokes(line):
-    """The parts that were painted: from one click straight to the next nothing was drawn."""
+    """The painted parts of a line. Between two exact points nothing was painted."""
     points = line.points + line.points[:1] if line.closed else line.points
     run = []
     for one, other in zip(points, points[1:]):
@@ -62,7 +65,7 @@ def _strokes(line):
 
 
 def polyline(flat, colour, width):
-    """Through pixels; nothing where one of them is behind the eye."""
+    """Draws a polyline through points in pixels; nothing if a point is behind the eye."""
     if not np.isnan(flat).any():
         gpu.state.line_width_set(width)
         _batch("LINE_STRIP", flat, colour)

@@ -17,7 +17,7 @@ _KEYS = ("Drag: draw | Click: way-point, on the curve a pin | Drag a point: move
 _NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "WHEELINMOUSE", "WHEELOUTMOUSE", "TRACKPADPAN",
                "TRACKPADZOOM", "MOUSEROTATE", "MOUSESMARTZOOM", "HOME")
 
-#: The tool that is at work; there is one at most.
+#: The running operator; at most one.
 _now = []
 
 
@@ -57,7 +57,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
         self._region = next(one for one in context.area.regions if one.type == "WINDOW")
         if self._begins_beside(event):
             self._drawn.drop()
-            return {"CANCELLED", "PASS_THROUGH"}  # Blender selects what is there
+            return {"CANCELLED", "PASS_THROUGH"}  # Blender's own click then selects an object
         self._overlay = Overlay(self._shown)
         self._timer = context.window_manager.event_timer_add(1 / 30, window=context.window)
         context.window_manager.modal_handler_add(self)
@@ -67,7 +67,8 @@ class TALWEG_OT_draw(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def _begins_beside(self, event):
-        """Whether the press that called the tool is not on the mesh; on it, it is the first of the drawing."""
+        """Takes the press that called the tool as the first of the drawing. Returns whether it missed the
+        mesh."""
         return event.type == "LEFTMOUSE" and event.value == "PRESS" \
             and not self._drawn.work.press(self._view(), self._at(event), event.shift)
 
@@ -81,7 +82,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
         if event.type != "LEFTMOUSE":
             offers.popup(context, obj)
             return {"CANCELLED"}
-        self._refused = obj  # buttons that come up under a pressed mouse would be taken when it is let go
+        self._refused = obj  # a menu that opens under a pressed button would take the release as its click
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
@@ -95,7 +96,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
             return {"RUNNING_MODAL"}
         if not self._drawn.is_there:
             return self._end(context, self._drawn.drop, {"CANCELLED"})
-        if self._area not in list(context.screen.areas):  # another workspace: what is drawn stays
+        if self._area not in list(context.screen.areas):  # another workspace: the drawing is kept
             return self._finish(context, else_drop=True)
         if event.type == "TIMER":
             if self._drawn.poll():
@@ -123,7 +124,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
         view, mouse = self._view(), self._at(event)
         if event.type == "LEFTMOUSE" and event.value == "PRESS":
             if not work.press(view, mouse, event.shift):
-                return {"PASS_THROUGH"}  # beside the mesh
+                return {"PASS_THROUGH"}  # beside the mesh: Blender turns the view
         elif event.type == "LEFTMOUSE" and event.value == "DOUBLE_CLICK":
             work.double_click(view, mouse)
         elif event.type == "LEFTMOUSE" and event.value == "RELEASE":
@@ -133,12 +134,12 @@ class TALWEG_OT_draw(bpy.types.Operator):
         elif "MOUSEMOVE" in event.type:
             under = work.under
             if not work.move(view, mouse) and work.under == under:
-                return {"RUNNING_MODAL"}  # nothing looks different
+                return {"RUNNING_MODAL"}  # no redraw is needed
         self._tell()
         return {"RUNNING_MODAL"}
 
     def _key(self, event):
-        """Whether the key is one of ours."""
+        """Does the command of a key. Returns whether the tool has one for it."""
         work = self._drawn.work
         if event.ctrl and event.type in ("WHEELUPMOUSE", "WHEELDOWNMOUSE"):
             work.turn(1 if event.type == "WHEELUPMOUSE" else -1)
@@ -164,7 +165,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
         return np.array([event.mouse_x - self._region.x, event.mouse_y - self._region.y], float)
 
     def _is_inside(self, event):
-        """In the view, and not over one of the panels before it."""
+        """Whether the mouse is in the view and not over a panel in front of the view."""
         for region in self._area.regions:
             inside = (region.x <= event.mouse_x < region.x + region.width
                       and region.y <= event.mouse_y < region.y + region.height)
@@ -213,18 +214,18 @@ class TALWEG_OT_draw(bpy.types.Operator):
         if self in _now:
             _now.remove(self)
         last()
-        if any(self._area in list(screen.areas) for screen in bpy.data.screens):  # it may be gone
+        if any(self._area in list(screen.areas) for screen in bpy.data.screens):  # the area may be closed
             self._area.header_text_set(None)
             self._area.tag_redraw()
         return outcome
 
     def cancel(self, context):
-        """Blender ends, or loads another file."""
+        """Blender calls cancel() at its end and before it loads another file."""
         if self._refused is None:
             self._end(context, self._drawn.close, None)
 
     def abandon(self):
-        """The add-on goes."""
+        """Ends the tool when the add-on is switched off."""
         self._ended = True
         self._overlay.remove()
         self._drawn.close()
@@ -232,7 +233,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
 
 
 class DrawTool(bpy.types.WorkSpaceTool):
-    """In the toolbar of object mode."""
+    """The tool in the toolbar of object mode."""
 
     bl_space_type = "VIEW_3D"
     bl_context_mode = "OBJECT"

@@ -1,4 +1,4 @@
-"""Where things are on the screen, and what is under the mouse."""
+"""Projection of points to the screen, and the search for the point or segment under the mouse."""
 
 from functools import cached_property
 
@@ -6,10 +6,10 @@ import numpy as np
 
 
 class View:
-    """A window's picture of an object's own space.
+    """The projection of an object's space to a window.
 
-    :param matrix: (4, 4), from that space to clip coordinates.
-    :param width, height: pixels.
+    :param matrix: (4, 4), from the object's space to clip coordinates.
+    :param width, height: of the window, pixels.
     """
 
     def __init__(self, matrix, width, height):
@@ -21,7 +21,7 @@ class View:
         return np.linalg.inv(self.matrix)
 
     def project(self, points):
-        """(n, 2) pixels; NaN for what is behind the eye."""
+        """(n, 2) pixels; NaN for points behind the eye."""
         points = np.asarray(points, float).reshape(-1, 3)
         clip = points @ self.matrix[:, :3].T + self.matrix[:, 3]
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -30,7 +30,7 @@ class View:
         return (flat + 1) * self.half
 
     def ray(self, mouse):
-        """Origin and direction (of length 1) through a pixel."""
+        """Origin and unit direction of the ray through a pixel."""
         x, y = np.asarray(mouse, float) / self.half - 1
         near, far = (self._at(x, y, depth) for depth in (-1, 0.9))
         direction = far - near
@@ -41,7 +41,7 @@ class View:
         return found[:3] / found[3]
 
     def pixel_at(self, point):
-        """How large a pixel is where the point is, in the object's units."""
+        """The size of a pixel at the depth of the point, in the object's units."""
         here = self.project([point])[0]
         origin, direction = self.ray(here)
         beside, aside = self.ray(here + [1, 0])
@@ -50,7 +50,7 @@ class View:
 
 
 def nearest_point(projected, mouse, within):
-    """The numbers of points at most so many pixels from the mouse, the nearest first."""
+    """Indices of the points at most ``within`` pixels from the mouse, the nearest first; eight at most."""
     off = np.linalg.norm(projected - mouse, axis=1)
     off[np.isnan(off)] = np.inf
     order = np.argsort(off, kind="stable")
@@ -58,8 +58,8 @@ def nearest_point(projected, mouse, within):
 
 
 def nearest_segment(projected, closed, mouse, within):
-    """Of a polyline: the segment at most so many pixels from the mouse, and how far along it is (0 to 1);
-    None if there is none."""
+    """The segment of a polyline at most ``within`` pixels from the mouse, and the place on it (0 to 1); None
+    if there is none."""
     ends = np.vstack([projected, projected[:1]]) if closed else projected
     a, b = ends[:-1], ends[1:]
     if not len(a):

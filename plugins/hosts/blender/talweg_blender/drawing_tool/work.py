@@ -1,4 +1,5 @@
-"""What the tool does at press, move and release, on a view; knows of no window and no event."""
+"""Turns presses, moves and releases of the mouse on a view into edits. Knows no window and no event of
+Blender."""
 
 import numpy as np
 
@@ -6,12 +7,13 @@ from . import lines, view as seen
 from .editor import Editor, State
 from .lines import Line
 
-#: Pixels: what the mouse takes hold of, how far it moves before that is a stroke, and between points.
+#: Pixels: reach of a handle, reach of the curve, the move that makes a press a stroke, distance of stroke
+#: points.
 _HANDLE, _CURVE, _STILL, _STEP = 10, 7, 4, 3
 
 
 class Work:
-    """A drawing under a hand. ``changed`` is called after each change.
+    """A drawing with its result and the state of the mouse. ``changed`` is called after each change.
 
     :param ground: finds points of the surface.
     """
@@ -20,27 +22,27 @@ class Work:
         self.ground = ground
         self.editor = Editor(state)
         self.changed = changed
-        self.results = []  # (k, 3) for each of ``of_lines``
+        self.results = []  # points (k, 3) of each result; ``of_lines`` has its line
         self.of_lines = []
-        self.hand = None  # what the pressed mouse does
-        self.under = None  # (line, point) under the resting mouse
-        self.clicked = ""  # what the last click was: "point", "pin" or "handle"
+        self.hand = None  # the action of the pressed mouse, or None
+        self.under = None  # (line, point) under the resting mouse, or None
+        self.clicked = ""  # the kind of the last click: "point", "pin" or "handle"
 
     # ---- What is seen.
 
     def handles(self):
-        """(line, point) of all that can be taken hold of: exact points and ends."""
+        """(line, point) of each handle: exact points, and the ends of open lines."""
         return [(number, k) for number, line in enumerate(self.editor.lines)
                 for k, point in enumerate(line.points)
                 if point.exact or not line.closed and k in (0, len(line.points) - 1)]
 
     def show(self, curves, of_lines):
-        """The result, and the line of each curve."""
+        """Takes the curves of a result, and the line of each."""
         self.results = [np.asarray(curve.positions) for curve in curves]
         self.of_lines = list(of_lines)
 
     def handle_at(self, view, mouse):
-        """The (line, point) under the mouse, or None."""
+        """The (line, point) of the handle under the mouse, or None."""
         among = self.handles()
         if not among:
             return None
@@ -49,7 +51,8 @@ class Work:
         return next((among[k] for k in near if self.ground.sees(view, places[k])), None)
 
     def curve_at(self, view, mouse):
-        """(line, before which of its points, Point) of the result under the mouse, or None."""
+        """The place of the result under the mouse as (line, index of the point before which it belongs,
+        Point), or None."""
         best = None
         for along, number in zip(self.results, self.of_lines):
             if number >= len(self.editor.lines):
@@ -69,7 +72,10 @@ class Work:
     # ---- The hand.
 
     def press(self, view, mouse, alone=False):
-        """:param alone: what is there already is left alone. Returns whether something is done."""
+        """Begins an action. Returns whether there is one.
+
+        :param alone: handles and curves under the mouse are left alone.
+        """
         self.editor.press()
         handle = None if alone else self.handle_at(view, mouse)
         if handle:
@@ -89,7 +95,7 @@ class Work:
         return True
 
     def move(self, view, mouse):
-        """Returns whether something was changed."""
+        """Continues the action. Returns whether something changed."""
         if self.hand is None:
             self.under = self.handle_at(view, mouse)
             return False
@@ -106,7 +112,7 @@ class Work:
             self.changed()
 
     def drop_hand(self):
-        """What the pressed mouse has done is taken back."""
+        """Cancels the action of the pressed mouse."""
         if self.hand is not None:
             self.hand = None
             self.editor.take_back()
@@ -119,7 +125,7 @@ class Work:
     # ---- Keys.
 
     def pin(self, view, mouse):
-        """A pin where the curve is under the mouse, or the one there goes."""
+        """Pins the curve under the mouse; removes the handle if there is one."""
         handle = self.handle_at(view, mouse)
         if handle:
             self.editor.remove(*handle)
@@ -131,7 +137,7 @@ class Work:
         self.changed()
 
     def double_click(self, view, mouse):
-        """The second click of two: of a way-point it ends the line, of a point that was there it is as
+        """The second click of a double click. On a new way-point it ends the line; on a handle it acts as
         pin()."""
         if self.clicked == "point":
             self.next_line()
@@ -139,7 +145,7 @@ class Work:
             self.pin(view, mouse)
 
     def remove(self, view, mouse):
-        """The point under the mouse, or the last one that was drawn."""
+        """Removes the handle under the mouse, or the last drawn point."""
         handle = self.handle_at(view, mouse)
         if handle:
             self.editor.remove(*handle)
@@ -148,7 +154,7 @@ class Work:
         self.changed()
 
     def close(self):
-        """The line that is drawn, or the last one, becomes a loop; a loop is opened again."""
+        """Closes the last line of the drawing, or opens it if it is closed."""
         number = len(self.editor.lines) - 1
         if number >= 0:
             self.editor.close(number, not self.editor.lines[number].closed)
@@ -167,7 +173,7 @@ class Work:
         self.changed()
 
     def turn(self, steps):
-        """The wheel: tau becomes a quarter larger or smaller."""
+        """The mouse wheel: a step multiplies or divides tau by 1.25."""
         tau = self.editor.state.tau
         tau = max(tau, 0.05) * 1.25 ** steps if tau or steps > 0 else 0.0
         self.editor.set_tau(0.0 if tau < 0.05 else min(tau, 100.0))
@@ -179,8 +185,8 @@ def _is_still(mouse, start):
 
 
 class _OnHandle:
-    """A point is dragged. A click on the first point of the line that is drawn closes it, one on an end
-    of another line goes on there."""
+    """An action on a handle: a drag moves its point. A click on the first point of the unfinished line closes
+    the line; a click on an end of another line continues that line."""
 
     def __init__(self, work, mouse, number, at, inserted=False):
         self.work, self.start, self.number, self.at = work, mouse, number, at
@@ -211,7 +217,7 @@ class _OnHandle:
 
 
 class _Drawing:
-    """A click is a way-point; a stroke is one when the mouse has moved."""
+    """An action on the mesh: a click adds a way-point, a drag paints a stroke."""
 
     def __init__(self, work, mouse, point):
         self.work, self.start, self.first = work, mouse, point
@@ -229,7 +235,7 @@ class _Drawing:
         editor = self.work.editor
         if not self.is_stroke:
             self.is_stroke = True
-            editor.append(self.first._replace(exact=False))  # joins the clicks before it
+            editor.append(self.first._replace(exact=False))  # joins the stroke to the clicks before it
         line = editor.lines[-1]
         step = min(0.5 * self.work.ground.surface.edge, 8 * view.pixel_at(point.position))
         if lines.distance(line.points[-1], point) >= step:
@@ -252,7 +258,8 @@ class _Drawing:
 
 
 def lines_of(curves, ground):
-    """Lines of talweg.Curves as they were given to it: vertices, faces with barycentrics, or positions."""
+    """Lines of talweg.Curves as they were drawn: given by vertices, by faces with barycentrics, or by
+    positions."""
     return tuple(Line(tuple(_points(curve, ground)), bool(curve.closed), True) for curve in curves)
 
 

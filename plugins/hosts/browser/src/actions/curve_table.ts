@@ -1,15 +1,16 @@
-// The smoothed curves as a table for spreadsheets: a row for each of their points.
+// The smoothed curves as a table for spreadsheets: a row for each point.
 import type { Line } from '../engine/types';
 
-/** With the unit, where it is known. */
+/** The titles of the columns, with the unit if it is known. */
 function head(unit: string): string[] {
   const of = (what: string, power = '') => (unit ? `${what} [${power}${unit}]` : what);
   return ['curve', of('length'), of('x'), of('y'), of('z'), of('turning', '1/'), of('deviation')];
 }
 
 /**
- * CSV. `length` is that from the curve's beginning; `turning` the geodesic curvature (1 / mesh unit,
- * positive to the left), `deviation` the distance to the drawing: empty where they were not measured.
+ * CSV. `length` is the arc length from the curve's beginning; `turning` the geodesic curvature (1 /
+ * mesh unit, positive to the left); `deviation` the distance to the drawing. Values that were not
+ * measured are empty.
  */
 export function curveTable(lines: Line[], names: string[], unit: string): string {
   const rows = lines.flatMap((line, k) => rowsOf(line, names[k]));

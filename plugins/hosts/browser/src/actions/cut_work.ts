@@ -1,4 +1,4 @@
-// Cuts the mesh along the smoothed curves, and keeps parts of it.
+// Cuts the mesh along the smoothed curves, and keeps single parts.
 import type { Desk } from './desk';
 import type { DrawingWork } from './drawing_work';
 
@@ -7,7 +7,7 @@ export class CutWork {
 
   constructor(private readonly desk: Desk, private readonly drawing: DrawingWork) {}
 
-  /** Along the smoothed curves, or along their offset. */
+  /** Cuts along the smoothed curves, or along their offset. */
   async cut(alongOffset = false): Promise<void> {
     const { store, engine } = this.desk;
     const { drawing, opening } = store.now;
@@ -20,7 +20,7 @@ export class CutWork {
     this.desk.tell([parts, ...cut.notes].join(' '));
   }
 
-  /** All parts of the last cut. */
+  /** Shows all parts of the last cut again. */
   again(): Promise<void> {
     return this.cut(this.alongOffset);
   }
@@ -30,7 +30,7 @@ export class CutWork {
     const { store, engine } = this.desk;
     const kept = await this.desk.wait('cut', 'Keeping a part', engine.keep(part, store.now.lids));
     if (!kept || !store.now.cut) return;
-    // It keeps the number and the colour that it had among the others.
+    // The part keeps its number and its colour.
     store.set({ cut: { ...kept, side: kept.side.fill(part), parts: part + 1 }, kept: part });
     this.desk.tell(`Part ${part + 1} is kept.`);
   }
@@ -41,14 +41,15 @@ export class CutWork {
     if (store.now.kept !== null) await this.keep(store.now.kept);
   }
 
-  /** Back to the whole mesh, to draw on. */
+  /** Shows the whole mesh again, to draw on it. */
   uncut(): void {
     this.desk.store.set({ cut: null, kept: null });
     this.desk.store.trouble('cut', null);
     this.desk.tell('The whole mesh.');
   }
 
-  /** Borders of labels become curves of the drawing. `text`: a number per face; null: the mesh's. */
+  /** Adds borders of labels as curves of the drawing. `text`: a number for each face; null: the
+     mesh's own labels. */
   async borders(text: string | null): Promise<void> {
     const values = text === null ? null : labelsOf(text);
     const curves = await this.desk.wait('cut', 'Finding borders', this.desk.engine.labels(values));

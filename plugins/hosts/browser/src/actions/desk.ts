@@ -1,18 +1,18 @@
-// The desk has the engine, which knows the mesh, and the editor, which has the drawing. Whatever a
-// person does comes here, and what comes of it goes into the store.
+// The desk owns the engine, with the mesh, and the editor, with the drawing. The user's commands
+// come here, and their results go into the store.
 import { Editor } from '../engine/editor';
 import { Ended, Engine, Replaced } from '../engine/engine';
 import type { Spot } from '../state/state';
 import type { Store } from '../state/store';
 
-/** Openings of meshes: steps that are undone after those of the drawing. */
+/** Openings of meshes, as steps of undo before the first step of the drawing. */
 export interface Openings {
   /** null: there is no such step. */
   undoName(): string | null;
   redoName(): string | null;
   undo(): void;
   redo(): void;
-  /** The drawing has changed: an opening that was undone is not done again. */
+  /** The drawing has changed, so an undone opening cannot be redone. */
   forgetRedo(): void;
 }
 
@@ -28,8 +28,8 @@ export class Desk {
   }
 
   /**
-   * Waits for work that may take long, tells what it is, and puts the sentence of a failure beside
-   * `spot`. Gives undefined where it failed, or was replaced or ended.
+   * Waits for work that may take long, shows its name, and puts the sentence of an error beside
+   * `spot`. Returns undefined if the work failed, or was replaced or ended.
    */
   async wait<T>(spot: Spot, what: string, work: Promise<T>): Promise<T | undefined> {
     const mine = ++this.works;
@@ -47,8 +47,8 @@ export class Desk {
   }
 
   /**
-   * Ends what runs, however long it would take. The mesh has to be opened again. Throws Error, and
-   * ends nothing, where no new engine can be had.
+   * Ends running work at once. The mesh must be opened again afterwards. Throws Error, and ends
+   * nothing, if no new engine can be started.
    */
   async endEngine(): Promise<void> {
     const next = await Engine.start();
@@ -64,7 +64,7 @@ export class Desk {
   }
 }
 
-/** Whether nobody waits for this any more. */
+/** Whether the error means that the work was replaced or ended, so that its result is not needed. */
 export function isGone(error: unknown): boolean {
   return error instanceof Replaced || error instanceof Ended;
 }

@@ -1,4 +1,4 @@
-// The edits of the drawing. Each is a step that can be undone; each that is refused says why.
+// The edits of the drawing. Each edit is a step of undo; a refused edit says why.
 import type { Editor } from '../engine/editor';
 import type { Curve, Line, Point } from '../engine/types';
 import { type Chosen, nameOf, type Place } from '../state/state';
@@ -10,7 +10,7 @@ import type { Hand, Live } from './live';
 export class DrawingWork {
   constructor(private readonly desk: Desk, private readonly live: Live) {}
 
-  /** Does an edit and smooths what comes of it. Returns whether the editor took it. */
+  /** Makes an edit and smooths the drawing. Returns whether the editor accepted the edit. */
   edit(change: (editor: Editor) => void, told = '', hand: Hand = 'rests'): boolean {
     const taken = this.step(change, told, hand);
     if (taken) this.desk.openings?.forgetRedo();
@@ -77,7 +77,7 @@ export class DrawingWork {
     this.edit((e) => e.movePoint(chosen.curve, chosen.point, bare(place)), '', 'drags');
   }
 
-  /** Adds a point where the curve was picked; returns which one it is, or null. */
+  /** Adds a point at the picked place of a curve; returns its index, or null. */
   insert(curve: number, segment: number, place: Place): number | null {
     const { drawing, smoothed, drawn, mesh } = this.desk.store.now;
     const line = smoothed?.curves[curve] ?? drawn[curve];
@@ -109,7 +109,7 @@ export class DrawingWork {
     this.desk.tell(`Added ${curves.length} ${curves.length === 1 ? 'curve' : 'curves'}.`);
   }
 
-  /** Takes the last step back; before the first of the drawing, the opening of its mesh. */
+  /** Undoes the last step; before the first step of the drawing, the opening of its mesh. */
   undo(): void {
     const { editor, openings } = this.desk;
     if (editor.undoName() === null && openings?.undoName()) openings.undo();
@@ -132,7 +132,7 @@ export class DrawingWork {
     this.desk.store.set({ chosen });
   }
 
-  /** Whether a curve through a point can get to a place; if not, the person is told. */
+  /** Whether a curve through the point can reach the place; if not, the user is told. */
   private isReached(point: Point | undefined, place: Place): boolean {
     const { store } = this.desk;
     const { mesh } = store.now;
@@ -147,7 +147,8 @@ export class DrawingWork {
     return drawing.unfinished ? (drawing.curves.at(-1) ?? null) : null;
   }
 
-  /** The lines that can be picked: the smoothed ones, or the drawn ones until those are there. */
+  /** The curves that can be picked: the smoothed ones, or the drawn ones until the smoothed ones
+     exist. */
   lines(): Line[] {
     const { smoothed, drawn } = this.desk.store.now;
     return smoothed?.curves ?? drawn;

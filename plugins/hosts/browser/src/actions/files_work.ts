@@ -1,5 +1,4 @@
-// Files that go out: curves, cut meshes, pictures, reports. Nothing leaves the machine: the browser
-// saves what was made here.
+// Saves files: curves, cut meshes, pictures, reports. No data leave the machine.
 import type { SavedFile } from '../engine/types';
 import type { Stage } from '../view/stage';
 import { nameOf } from '../state/state';
@@ -68,7 +67,7 @@ export class FilesWork {
     this.desk.tell('Copied the command line.');
   }
 
-  /** Empty without a mesh. */
+  /** The command line; empty without a mesh. */
   command(): string {
     const { mesh, offset, offsets } = this.desk.store.now;
     return mesh ? this.desk.engine.command(offsets && offset.of === null ? offset : null) : '';
@@ -97,6 +96,6 @@ export function download(name: string, blob: Blob): void {
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
-  // The browser has begun by then; an address that stays would keep the bytes in memory.
+  // The download has begun by then; a permanent address would keep the bytes in memory.
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

@@ -3,22 +3,22 @@ import type { Drawing, Line } from '../engine/types';
 import { emptyDrawing, noOffset, type Comb, type Place } from '../state/state';
 import { type Desk, isGone, sentenceOf } from './desk';
 
-/** What the hand is doing: while it moves, only what is seen at once is computed. */
+/** The state of the hand: during a movement only visible results are computed. */
 export type Hand = 'rests' | 'slides' | 'drags';
 
-/** What work is called that makes curves smooth. */
+/** The name of work that smooths curves. */
 export const smoothingWords = 'Smoothing';
 
 export class Live {
   private round = 0;
-  /** The newest round whose answer is shown; older ones come too late. */
+  /** The newest round whose answer is shown; answers of older rounds are dropped. */
   private shown = 0;
   private legRound = 0;
   private drawnOf: Drawing['curves'] = [];
 
   constructor(private readonly desk: Desk) {}
 
-  /** Takes the drawing from the editor and smooths it. A cut belongs to the curves before. */
+  /** Takes the drawing from the editor and smooths it. A cut along earlier curves is dropped. */
   refresh(hand: Hand = 'rests'): void {
     const { editor, store } = this.desk;
     const drawing = editor.drawing();
@@ -35,7 +35,7 @@ export class Live {
     if (!sameCurves(this.drawnOf, drawing.curves)) void this.draw(drawing);
   }
 
-  /** Forgets all that belongs to a mesh. */
+  /** Drops all data of the mesh. */
   reset(): void {
     this.shown = ++this.round;
     this.drawnOf = [];
@@ -47,7 +47,7 @@ export class Live {
     this.nameSteps();
   }
 
-  /** Names the steps that can be undone and done again. */
+  /** Shows the names of the steps for undo and redo. */
   nameSteps(): void {
     const { editor, openings, store } = this.desk;
     store.set({
@@ -68,7 +68,7 @@ export class Live {
       const leg = await engine.leg(last, { face, barycentric, pinned: false, exact: 0 });
       if (mine === this.legRound) store.set({ leg });
     } catch (error) {
-      // A leg is a preview: where there is none, nothing is shown, and a click says why.
+      // A leg is a preview: without one nothing is shown, and a click says why.
       if (!isGone(error) && mine === this.legRound) store.set({ leg: null });
     }
   }
@@ -98,7 +98,7 @@ export class Live {
     const work = engine.smooth(drawing, hand);
     const smoothed = await (hand === 'rests' ? this.desk.wait('drawing', smoothingWords, work)
       : work.catch(() => undefined));
-    // An older answer is better than none while the hand moves; after a newer one it is not.
+    // During a movement an older answer is shown, unless a newer answer is already shown.
     if (!smoothed || mine < this.shown) return;
     this.shown = mine;
     store.set({ smoothed });

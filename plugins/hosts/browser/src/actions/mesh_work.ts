@@ -1,4 +1,4 @@
-// Opens meshes: from a file, the sample, with repair, and again in a new engine.
+// Opens meshes: from a file, the sample, repaired, and again in a new engine.
 import type { MeshInfo } from '../engine/types';
 import { Editor } from '../engine/editor';
 import type { Picker } from '../pick/picker';
@@ -10,11 +10,11 @@ import { type Desk, sentenceOf } from './desk';
 import { type Live, smoothingWords } from './live';
 
 export class MeshWork {
-  /** Finds places on the mesh; null until there is one. */
+  /** Finds places on the mesh; null before the first mesh. */
   picker: Picker | null = null;
-  /** Whether all about the mesh is shown. */
+  /** Whether the full description of the mesh is shown. */
   wantsAll = false;
-  /** Called when another mesh is ready, before it takes the place of the one that is open. */
+  /** Called when another mesh is ready, before it replaces the open one. */
   beforeAnother: () => void = () => {};
   private readonly preparer = new Preparer();
   private turn: Promise<unknown> = Promise.resolve();
@@ -25,7 +25,7 @@ export class MeshWork {
               private readonly show: (ready: Prepared) => void,
               private readonly lookAtIt: () => void) {}
 
-  /** Resolves as soon as meshes can be opened without a net. Throws Error with a sentence. */
+  /** Resolves when meshes can be opened without a network. Throws Error with a sentence. */
   loaded(): Promise<void> {
     return this.preparer.loaded();
   }
@@ -40,13 +40,15 @@ export class MeshWork {
     return sample ? this.open(sample.name, sample.bytes, { repaired: false }) : false;
   }
 
-  /** Opens the mesh once more, mended. The drawing, if any, is of no face numbers that stay: it is put aside. */
+  /** Opens the mesh again, repaired. A drawing is put aside, since its face numbers are no longer
+     valid. */
   async repair(weld: number | null = null): Promise<boolean> {
     const mesh = this.desk.store.now.mesh;
     return mesh ? this.open(mesh.name, mesh.bytes, { repaired: true, weld, unit: mesh.unit }) : false;
   }
 
-  /** Says what the mesh's lengths are in, by a UCUM code; empty: what its file says. No number changes. */
+  /** Sets the unit of the mesh's lengths, a UCUM code; empty: the unit of its file. Coordinates do
+     not change. */
   async setUnit(unit: string): Promise<void> {
     const { store, engine } = this.desk;
     const { mesh } = store.now;
@@ -58,8 +60,8 @@ export class MeshWork {
   }
 
   /**
-   * Opens a mesh and begins a new drawing. Until everything of it is ready, the mesh that was there
-   * stays, and so it does where this one fails.
+   * Opens a mesh and begins a new drawing. The earlier mesh stays until the new one is ready, and
+   * also if the new one fails.
    */
   open(name: string, bytes: Uint8Array, opening: Opening): Promise<boolean> {
     const mine = this.turn.then(() => this.openNow(name, bytes, opening));
@@ -67,7 +69,7 @@ export class MeshWork {
     return mine;
   }
 
-  /** Ends work that takes too long: a new engine gets the mesh again, and the drawing stays. */
+  /** Ends work that takes too long: a new engine opens the mesh again, and the drawing stays. */
   async endWork(): Promise<void> {
     if (this.ending) return;
     const smoothing = this.desk.store.now.busy?.what === smoothingWords;
@@ -83,11 +85,11 @@ export class MeshWork {
     } finally {
       this.ending = false;
     }
-    // The new engine knows the curves again, unless just that took too long.
+    // The new engine smooths the curves again, unless smoothing was the work that took too long.
     if (!smoothing) this.live.refresh();
   }
 
-  /** Tells all about the mesh, if a person wants to know it. */
+  /** Shows the full description of the mesh, if the user wants it. */
   async tellAll(): Promise<void> {
     const { store, engine } = this.desk;
     const { mesh, words } = store.now;
@@ -121,7 +123,8 @@ export class MeshWork {
     }
   }
 
-  /** All that a mesh needs to be seen and drawn on; null if it failed or was ended. */
+  /** Everything that is needed to show a mesh and to draw on it; null if opening failed or was
+     ended. */
   private async ready(name: string, bytes: Uint8Array, opening: Opening):
     Promise<Prepared & { info: MeshInfo } | null> {
     const info = await this.desk.wait('mesh', `Opening ${name}`, this.read(name, bytes, opening));
@@ -140,7 +143,7 @@ export class MeshWork {
   private async reopen(): Promise<void> {
     const mesh = this.desk.store.now.mesh;
     if (!mesh) return;
-    // What went wrong before stays told.
+    // The sentence of the earlier error stays.
     const trouble = this.desk.store.now.trouble.mesh ?? null;
     await this.desk.wait('mesh', `Opening ${mesh.name}`, this.read(mesh.name, mesh.bytes, mesh));
     if (trouble) this.desk.store.trouble('mesh', trouble);

@@ -1,4 +1,4 @@
-// Curves at a distance from the smoothed ones. They follow those as soon as the hand rests.
+// Curves at a distance from the smoothed curves, updated when the hand rests.
 import type { OffsetSettings, State } from '../state/state';
 import type { Desk } from './desk';
 

@@ -1,19 +1,19 @@
-// The command line that does what the page does.
+// The driver's command line for the page's work.
 import type { Drawing, OffsetWish } from './types';
 
-/** The mesh's file, and what the driver has to know of it: empty where it needs nothing. */
+/** The mesh's file, and the driver's options for it; empty for none. */
 export interface MeshWords {
   name: string;
   repair: string;
   unit: string;
 }
 
-/** For a shell, where that is needed. */
+/** The word quoted for a shell, if needed. */
 function quoted(word: string): string {
   return /^[\w./+=,-]+$/.test(word) ? word : `'${word.replace(/'/g, "'\\''")}'`;
 }
 
-/** What repairs a mesh as the page does; 0: vertices at one place become one. */
+/** The option for the page's repair; tolerance 0: only vertices at the same place are welded. */
 export function repairOption(tolerance: number): string {
   return tolerance > 0 ? `--repair=weld=${tolerance},drop,orient,split` : '--repair';
 }
@@ -30,7 +30,8 @@ function settingsWords({ settings }: Drawing): string[] {
   ];
 }
 
-/** Smooths the drawing, saved as drawn.json, on the mesh, and offsets what comes of it. Empty without a mesh. */
+/** Smooths the drawing, saved as drawn.json, on the mesh, and offsets the result. Empty without a
+   mesh. */
 export function commandOf({ name, repair, unit }: MeshWords, drawing: Drawing | null,
                           offset: Omit<OffsetWish, 'curves'> | null): string {
   if (!name) return '';

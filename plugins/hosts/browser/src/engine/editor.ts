@@ -7,11 +7,11 @@ interface Place {
   barycentric: Vec3;
 }
 
-/** An editor that nobody has any more goes from the module, too. */
+/** Frees editors of the module whose objects were collected. */
 const gone = new FinalizationRegistry<{ module: Module; number: number }>(
   ({ module, number }) => module.call(`editor.${number}.end`, []));
 
-/** Each edit is one step that can be undone; one that cannot be done throws Error with a sentence. */
+/** Each edit is one step of undo; a refused edit throws Error with a sentence. */
 export class Editor {
   private constructor(private readonly module: Module, private readonly number: number) {
     gone.register(this, { module, number });
@@ -72,12 +72,13 @@ export class Editor {
 
   /** The drawing as JSON, for sessions. */
   state(): string { return JSON.stringify(this.drawing()); }
-  /** Begins anew with such a drawing. */
+  /** Replaces the drawing, with a new history. */
   restore(state: string): void { this.call('restore', JSON.parse(state)); }
 
   /**
-   * Before which of the given points one belongs that was picked on a line through them, between the
-   * line's points `segment` and `segment + 1`; three numbers per point.
+   * The index of the given point before which a new point belongs, which was picked on a line
+   * through the given points, between the line's points `segment` and `segment + 1`. Three numbers
+   * per point.
    */
   legAt(given: Float64Array, line: Float64Array, closed: boolean, segment: number): number {
     return this.call('legAt', Array.from(given), Array.from(line), closed, segment);

@@ -1,11 +1,11 @@
-// Everything that knows the mesh, in a worker.
+// The engine, all code with the mesh, in a worker.
 import { commandOf, repairOption } from './command';
 import type {
   Curve, CutResult, Drawing, Line, MeshInfo, Offset, OffsetWish, Point, SavedFile, Smoothed,
 } from './types';
 import type { Reply, Request } from './worker';
 
-/** A newer request of the same kind has taken this one's place. */
+/** A newer request of the same kind has replaced this one. */
 export class Replaced extends Error {}
 /** The engine was ended. */
 export class Ended extends Error {}
@@ -19,8 +19,9 @@ interface Waiting {
 const onlyNewest = new Set(['smooth', 'draw', 'leg', 'offset']);
 
 /**
- * Requests are done one after the other; a leg comes before what waits. Of smooth(), draw(), leg()
- * and offset() only the newest of each waits: one that it replaces rejects with Replaced.
+ * Requests are done one after the other; a leg precedes waiting requests. Of smooth(), draw(),
+ * leg() and offset() only the newest request of each kind waits; a replaced request rejects with
+ * Replaced.
  */
 export class Engine {
   private ids = 0;
@@ -48,8 +49,8 @@ export class Engine {
   }
 
   /**
-   * OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. Takes the bytes: they are
-   * not there any more. `weld` as in `Opening`.
+   * OBJ, OFF, PLY, STL, OM, VTK, VTP, MSH, glTF or 3MF, also packed by gzip. The bytes are
+   * transferred, so the caller loses them. `weld` as in `Opening`.
    */
   async open(name: string, bytes: ArrayBuffer, repair = false, weld: number | null = null): Promise<MeshInfo> {
     const info = await this.ask<MeshInfo>('open', [name, repair, weld], bytes);
@@ -58,13 +59,13 @@ export class Engine {
     return info;
   }
 
-  /** The unit of the mesh, for files that name one; empty: what its file says. */
+  /** The unit of the mesh, for files that name a unit; empty: the unit of the mesh's file. */
   async setUnit(unit: string): Promise<void> {
     await this.ask('setUnit', [unit]);
     this.mesh = { ...this.mesh, unit };
   }
 
-  /** What `talweg info` tells. */
+  /** The text of `talweg info`. */
   words(): Promise<string> { return this.ask('words', []); }
 
   sample(): Promise<{ name: string; bytes: Uint8Array }> { return this.ask('sample', []); }
@@ -75,28 +76,29 @@ export class Engine {
   }
   draw(drawing: Drawing): Promise<Line[]> { return this.ask('draw', [drawing]); }
   leg(from: Point, to: Point): Promise<Float64Array> { return this.ask('leg', [from, to]); }
-  /** Teeth of a curve of the last smoothing; none while the hand moves. */
+  /** The comb of a curve of the last smoothing; empty during a movement of the hand. */
   comb(curve: number, spacing: number):
     Promise<{ roots: Float64Array; tips: Float64Array; curvature: Float64Array }> {
     return this.ask('comb', [curve, spacing]);
   }
 
-  /** Of the last smoothing of a hand at rest. */
+  /** Offset of the curves that were last smoothed with the hand at rest. */
   offset(wish: OffsetWish): Promise<Offset> { return this.ask('offset', [wish]); }
 
-  /** Along the smoothed curves, or along their last offset. */
+  /** Cuts along the smoothed curves, or along their last offset. */
   cut(drawing: Drawing, alongOffset = false): Promise<CutResult> { return this.ask('cut', [drawing, alongOffset]); }
   keep(part: number, lids: boolean): Promise<CutResult> { return this.ask('keep', [part, lids]); }
-  /** Borders of a label per face, or of the mesh's own labels. */
+  /** Borders of labels, one for each face; null: of the mesh's own labels. */
   labels(values: Int32Array | null): Promise<Curve[]> {
     return this.ask('labels', [values !== null], values?.slice().buffer);
   }
 
-  /** "drawn.json" is the drawing itself, all others are of the smoothed curves or their offset. */
+  /** "drawn.json" is the drawing itself; all other formats have the smoothed curves or their
+     offset. */
   saveCurves(format: string, what: 'smooth' | 'offset' = 'smooth'): Promise<SavedFile> {
     return this.ask('saveCurves', [format, what]);
   }
-  /** The mesh, or what the last cut left of it. */
+  /** The mesh, or the result of the last cut. */
   saveMesh(format: string): Promise<SavedFile> { return this.ask('saveMesh', [format]); }
   /** A file for each part of the cut mesh. */
   saveParts(format: string, lids: boolean): Promise<SavedFile[]> { return this.ask('saveParts', [format, lids]); }
@@ -104,12 +106,13 @@ export class Engine {
     return this.ask('readCurves', [name], bytes);
   }
 
-  /** The command line that does the same to the saved files; `offset`: of all curves, if there is one. */
+  /** The driver's command line for the saved files; `offset`: the offset of all curves, if there is
+     one. */
   command(offset: Omit<OffsetWish, 'curves'> | null): string {
     return commandOf(this.mesh, this.last, offset);
   }
 
-  /** Ends the worker, whatever it does. */
+  /** Ends the worker at once. */
   end(): void {
     this.ended = true;
     this.worker.terminate();

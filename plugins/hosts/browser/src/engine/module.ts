@@ -23,7 +23,7 @@ export class Module {
 
   private constructor(private readonly talweg: Talweg) {}
 
-  /** The one module of this thread. */
+  /** The module of this thread. */
   static load(): Promise<Module> {
     Module.loaded ??= Module.make();
     return Module.loaded;
@@ -35,7 +35,7 @@ export class Module {
     return new Module(await make());
   }
 
-  /** Throws Error with the library's sentence. What it gives has arrays of its own. */
+  /** Throws Error with the library's sentence. Arrays in the result are copies. */
   call<Result>(name: string, args: unknown[], bytes?: Uint8Array): Result {
     const { talweg } = this;
     if (bytes) this.put(bytes);

@@ -1,4 +1,4 @@
-// What the view and the engine hand to each other. Lengths in mesh units, angles in radians.
+// Values that the view and the engine exchange. Lengths in mesh units, angles in radians.
 
 export type Vec3 = [number, number, number];
 
@@ -9,37 +9,41 @@ export interface Point {
   barycentric: Vec3;
   /** The smoothed curve passes through it. */
   pinned: boolean;
-  /** 0 or more at a point that was clicked: its tolerance. Below 0: a mark of talweg_way_points.h. */
+  /** 0 or more at a clicked point: its tolerance, mesh units. Below 0: a mark of
+     talweg_way_points.h. */
   exact: number;
 }
 
 export interface Curve {
   points: Point[];
-  /** Joined from the last point back to the first, which is not repeated. */
+  /** The last point is joined to the first, which is not repeated. */
   closed: boolean;
-  /** null: the settings'. */
+  /** null: the value of the settings. */
   tau: number | null;
-  /** How far the result may pass from what was drawn; null: that of each point. */
+  /** The largest distance between result and drawing, mesh units; null: the tolerance of each
+     point. */
   tolerance: number | null;
-  /** For people; empty: the curve has only its number. */
+  /** The user's name for the curve; empty: the curve has only its number. */
   name: string;
-  /** Tells the curves of a drawing apart; the editor gives it, from 1. */
+  /** The curve's number, unique in the drawing; the editor numbers curves from 1. */
   number: number;
 }
 
-/** What becomes of curves that are not closed: a painted stroke that comes back is a loop, all are, none. */
+/** The ends of curves that are not closed: 'auto' closes painted strokes that return to their
+   start, 'closed' closes all curves, 'open' none. */
 export type Ends = 'auto' | 'closed' | 'open';
 
 export interface Settings {
   tau: number;
   /** null: the method's default. */
   slack: number | null;
-  /** Chooses tau and slack; null: they are as they are set. */
+  /** A bound that chooses tau and slack, mesh units; null: tau and slack are used as set. */
   maxDeviation: number | null;
-  /** The paper's own potential: without slack and largest deviation. */
+  /** The paper's potential, without slack and largest deviation. */
   paper: boolean;
   ends: Ends;
-  /** Successive clicks at most so far apart are one; null: the method's default. */
+  /** Successive clicks at most this far apart count as one, mesh units; null: the method's
+     default. */
   clickDistance: number | null;
 }
 
@@ -50,7 +54,7 @@ export interface Drawing {
   settings: Settings;
 }
 
-/** An opened mesh. The arrays are for showing it; picked faces are those of `triangles`. */
+/** An opened mesh. The arrays are for display; picked faces are indices of `triangles`. */
 export interface MeshInfo {
   vertices: number;
   faces: number;
@@ -59,31 +63,32 @@ export interface MeshInfo {
   /** Diagonal of the bounding box. */
   size: number;
   meanEdge: number;
-  /** The UCUM code of the mesh's unit, empty where the file does not tell it. */
+  /** The UCUM code of the mesh's unit; empty if the file has none. */
   unit: string;
-  /** What a repair would do, a sentence each, told as if it was done; empty if there is nothing to do. */
+  /** The changes that a repair would make, a sentence each, in the past tense; empty: none. */
   repair: string[];
-  /** What welding would give, where parts of a mesh that can be used only lie beside each other. */
+  /** The effect of welding, for a usable mesh with parts that only touch. */
   weld: Weld | null;
-  /** What a repair did; null: the mesh is as it came. Picked faces are those of `triangles` still. */
+  /** The changes of a repair; null: the mesh is not repaired. Picked faces are still indices of
+     `triangles`. */
   repaired: Repaired | null;
-  /** Why the mesh cannot be drawn on as it is; null if it can. */
+  /** Why curves cannot be drawn on the mesh; null if they can. */
   defects: string | null;
 }
 
 /** A warning by which a result may be of no use. */
 export interface Decisive {
   sentence: string;
-  /** The place that it is about. */
+  /** Its place, if it has one. */
   at: Vec3 | null;
 }
 
 export interface Weld {
-  /** Mesh units; 0: vertices at one place become one. */
+  /** Mesh units; 0: only vertices at the same place are welded. */
   tolerance: number;
-  /** So many would be welded onto others. */
+  /** The number of vertices that would be welded onto others. */
   vertices: number;
-  /** Parts and boundary loops afterwards, and as they are. */
+  /** Parts and boundary loops after welding, and at present. */
   parts: number;
   partsNow: number;
   borders: number;
@@ -100,35 +105,35 @@ export interface Repaired {
 export interface CurveReport {
   length: number;
   drawnLength: number;
-  /** How far result and drawing lie apart, in the direction in which that is more, or how far off a missed point
-   * is: at least. null: not measured, or one cannot be reached from the other. */
+  /** A lower bound of the largest distance between result and drawing, either way, and of missed
+   * points. null: not measured, or one cannot be reached from the other. */
   farthest: number | null;
-  /** null: no more is known than that it is at least as far. */
+  /** Its upper bound; null: not known. */
   farthestAtMost: number | null;
-  /** Which lies that far from the other; 'point': one that the curve was to pass. */
+  /** The owner of the farthest place; 'point': a way-point that the curve misses. */
   farthestOf: 'none' | 'result' | 'drawing' | 'point';
-  /** The larger of both directions. */
+  /** The larger mean of both directions. */
   meanDeviation: number | null;
   /** Total geodesic curvature. */
   turning: number;
   termination: string;
   warnings: string[];
   decisive: Decisive[];
-  /** Where the farthest is. */
+  /** The farthest place. */
   worst: Vec3 | null;
 }
 
-/** A curve as it lies on the mesh. */
+/** A curve on the mesh. */
 export interface Line {
   /** Three numbers per point. */
   positions: Float64Array;
   faces: Int32Array;
-  /** Three numbers per point, for `faces`. */
+  /** Three numbers per point, in the faces `faces`. */
   barycentric: Float64Array;
   closed: boolean;
-  /** Geodesic curvature at every point; empty where it was not measured. */
+  /** Geodesic curvature at every point; empty if not measured. */
   turning: Float64Array;
-  /** Distance to what was drawn at every point; empty where it was not measured. */
+  /** Distance to the drawing at every point; empty if not measured. */
   deviation: Float64Array;
   report: CurveReport;
 }
@@ -136,19 +141,19 @@ export interface Line {
 export interface Smoothed {
   curves: Line[];
   notes: string[];
-  /** Of a hand at rest: everything is measured. */
+  /** Smoothed with the hand at rest: everything is measured. */
   final: boolean;
   milliseconds: number;
-  /** JSON, as the driver's. */
+  /** JSON, as the driver's report. */
   report: string;
 }
 
 export type Side = 'both' | 'left' | 'right';
-/** Around the ends of an open curve, or cut off there. */
+/** Round the ends of an open curve, or stop at them. */
 export type Caps = 'round' | 'none';
 
 export interface OffsetWish {
-  /** Of the last smoothing, from 0. */
+  /** Indices of the last smoothing's curves, from 0. */
   curves: number[];
   /** Along the surface, mesh units. */
   distance: number;
@@ -158,7 +163,7 @@ export interface OffsetWish {
 
 export interface Offset {
   curves: Line[];
-  /** Of each, as the report has it: "left", "right", or "both" around the ends. */
+  /** For each curve, from the report: "left", "right", or "both" around ends. */
   sides: string[];
   notes: string[];
 }

@@ -1,4 +1,4 @@
-// The engine's side of the worker: does one request after the other.
+// The worker of the engine: does requests one after the other.
 import { Module } from './module';
 
 /** A call of the module. */
@@ -8,7 +8,7 @@ export interface Request {
   args: unknown[];
   bytes?: ArrayBuffer;
 }
-/** With the id 0 once, when the module is there. */
+/** A message with the id 0 comes once, when the module is loaded. */
 export type Reply = { id: number; answer: unknown } | { id: number; error: string };
 
 const page = self as unknown as {
@@ -16,7 +16,7 @@ const page = self as unknown as {
   onmessage: ((event: MessageEvent<Request>) => void) | null;
 };
 
-/** The buffers of all arrays in an answer, which go over without being copied. */
+/** The buffers of all arrays in an answer, which are transferred without a copy. */
 function buffers(value: unknown): Transferable[] {
   if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
   if (Array.isArray(value)) return value.flatMap(buffers);

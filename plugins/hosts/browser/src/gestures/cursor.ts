@@ -1,4 +1,4 @@
-// The keyboard's cursor: a place on the mesh that arrow keys move over it, as it is seen.
+// The keyboard's cursor: a place on the mesh that arrow keys move in the view.
 import type { Place, Under } from '../state/state';
 import type { Store } from '../state/store';
 import type { Stage } from '../view/stage';
@@ -9,14 +9,14 @@ import type { Finder } from './under';
 export class Cursor {
   constructor(private readonly store: Store, private readonly stage: Stage, private readonly finder: Finder) {}
 
-  /** Where it is on the canvas; it appears in the middle of the view. */
+  /** Its place on the canvas; the cursor appears in the middle of the view. */
   touch(): Touch | null {
     const place = this.place();
     const at = place ? this.stage.onScreen(place.position) : null;
     return at ? { x: at.x, y: at.y, reach: 11, shift: false, time: 0 } : null;
   }
 
-  /** Moves it by so many pixels; at the rim of what is seen it stays. */
+  /** Moves it by so many pixels; it stays at the outline of the mesh. */
   move(dx: number, dy: number): Place | null {
     const at = this.touch();
     const to = at ? this.finder.place(at.x + dx, at.y + dy) : null;
@@ -56,7 +56,8 @@ export class Cursor {
     const { cursor } = this.store.now;
     if (cursor) return cursor;
     const { width, height } = this.stage.camera;
-    // A ring has nothing in its middle: the nearest place on a grid around it, then.
+    // The middle of a view of a ring is empty: the nearest place on a grid around the middle is
+    // used.
     for (let ring = 0; ring < 12; ++ring) {
       for (let k = 0; k < 8; ++k) {
         const far = (ring / 24) * Math.min(width, height);

@@ -1,4 +1,4 @@
-// The drawing hand: what a click, a drag and a stroke do, depending on what is under them.
+// The drawing hand: the effects of clicks, drags and strokes, depending on the object under them.
 import type { Under, State } from '../state/state';
 import type { Store } from '../state/store';
 import type { CutWork } from '../actions/cut_work';
@@ -7,11 +7,11 @@ import type { Live } from '../actions/live';
 import type { DrawingHand, Touch } from './pointers';
 import type { Finder } from './under';
 
-/** A hand that moves less than this has clicked. */
+/** Pixels; a smaller movement is a click. */
 const still = 4;
-/** Strokes get a point when the hand has moved so far. */
+/** Pixels between the points of a stroke. */
 const strokeStep = 5;
-/** A second finger within this time says that the first one was not meant to draw. */
+/** Milliseconds within which a second finger means that the first was not meant to draw. */
 const secondThoughts = 350;
 
 type Press =
@@ -83,7 +83,7 @@ export class Hand implements DrawingHand {
     if (hasty || press.kind === 'drag') this.drawing.undo();
   }
 
-  /** On the cut mesh a tap keeps a part; beside the mesh it lets go of what was chosen. */
+  /** On the cut mesh a tap keeps a part; beside the mesh it clears the choice. */
   tap(touch: Touch): void {
     const { cut, kept } = this.store.now;
     const part = cut && kept === null ? this.partAt(touch) : null;
@@ -91,7 +91,7 @@ export class Hand implements DrawingHand {
     if (!cut) this.drawing.choose(null);
   }
 
-  /** A click with the keyboard, which has no double clicks. */
+  /** A click by the keyboard, which has no double clicks. */
   keyClick(on: Under): void {
     this.click(on, false, false);
   }
@@ -99,7 +99,7 @@ export class Hand implements DrawingHand {
   private click(on: Under, shift: boolean, again: boolean): void {
     const { drawing } = this.store.now;
     if (on.kind === 'mesh') {
-      // A double click ends a curve: the second click is no point of its own.
+      // A double click ends a curve; its second click adds no point.
       if (again && drawing.unfinished) this.drawing.finish();
       else {
         this.drawing.choose(null);
@@ -156,7 +156,7 @@ export class Hand implements DrawingHand {
     this.drawing.paintPoint(place);
   }
 
-  /** A stroke that comes back to where its curve began closes it. */
+  /** A stroke that returns to the first point of its curve closes the curve. */
   private endStroke(touch: Touch): void {
     const first = this.finder.firstPoint(this.store.now);
     const points = this.drawing.current()?.points.length ?? 0;

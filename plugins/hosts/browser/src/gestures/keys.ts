@@ -1,4 +1,4 @@
-// What the keys do in the view. The list is also the help: a key that is not told is not there.
+// The keys of the view. The help is made from this list, so every key is in the help.
 import type { Store } from '../state/store';
 import type { ViewCamera } from '../view/camera';
 import type { DrawingWork } from '../actions/drawing_work';
@@ -12,7 +12,7 @@ export interface Key {
   keys: string[];
   shown: string;
   what: string;
-  /** Works in the whole page, with Ctrl or ⌘. */
+  /** Works on the whole page, with Ctrl or ⌘. */
   control?: boolean;
   act(event: KeyboardEvent): void;
 }
@@ -24,7 +24,7 @@ const turns: Record<string, [number, number]> = { a: [1, 0], d: [-1, 0], w: [0, 
 
 export class Keys {
   readonly all: Key[];
-  /** The point that arrow keys carry. */
+  /** The point that arrow keys move. */
   private carried: { curve: number; point: number } | null = null;
 
   constructor(area: HTMLElement, private readonly store: Store,
@@ -50,7 +50,7 @@ export class Keys {
   private pressed(event: KeyboardEvent, page: boolean): void {
     if (event.defaultPrevented || event.altKey) return;
     const control = event.ctrlKey || event.metaKey;
-    // In boxes that text is written into, Ctrl+Z belongs to the text.
+    // In text boxes Ctrl+Z belongs to the text.
     if (page && (isText(event.target) || !(control || this.leavesCut(event)))) return;
     const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const key = this.all.find((k) => !!k.control === control && k.keys.includes(name));
@@ -59,7 +59,7 @@ export class Keys {
     key.act(event);
   }
 
-  /** The button that has cut has the focus still. */
+  /** The focus is still on the button that has cut. */
   private leavesCut(event: KeyboardEvent): boolean {
     return event.key === 'Escape' && this.store.now.cut !== null && !(event.target as Element).closest('dialog');
   }

@@ -1,28 +1,28 @@
-// Tells what mouse, fingers and pen do: the left button, one finger and a pen draw; the other
-// buttons, the wheel and two fingers move the view.
+// Interprets mouse, fingers and pen: the left button, one finger and a pen draw; the other buttons,
+// the wheel and two fingers move the view.
 import type { ViewCamera } from '../view/camera';
 
-/** A place on the canvas, and how exactly this device points. */
+/** A place on the canvas, with the precision of the device. */
 export interface Touch {
   x: number;
   y: number;
-  /** Pixels around a point within which it is grasped. */
+  /** Pixels around a point within which it is grabbed. */
   reach: number;
   shift: boolean;
-  /** When the device told it, ms. */
+  /** Time of the event, ms. */
   time: number;
 }
 
-/** What the drawing hand does. move() comes only after press(). */
+/** The actions of the drawing hand. move() comes only after press(). */
 export interface DrawingHand {
   hover(touch: Touch | null): void;
-  /** false: there is nothing to draw on here, so the view turns instead. */
+  /** false: nothing can be drawn here, so the view turns instead. */
   press(touch: Touch): boolean;
   move(touch: Touch): void;
   release(touch: Touch): void;
-  /** What press() began was meant for the view. */
+  /** The movement since press() belongs to the view. */
   cancel(): void;
-  /** A click where press() found nothing to draw on. */
+  /** A click for which press() returned false. */
   tap(touch: Touch): void;
 }
 
@@ -60,7 +60,7 @@ export class Pointers {
     this.area.focus({ preventScroll: true });
     const touch = this.touchOf(event);
     if (event.pointerType === 'touch') {
-      // While a pen draws, a hand that rests on the screen does nothing.
+      // While a pen draws, fingers on the screen are ignored.
       if (this.doing === 'drawing' && this.fingers.size === 0) return;
       this.fingers.set(event.pointerId, touch);
       if (this.fingers.size > 1) {
@@ -97,7 +97,7 @@ export class Pointers {
     }
     if (event.pointerId !== this.mine) return;
     if (this.doing === 'drawing') {
-      // All that the hand did since the last picture, so that fast strokes stay round.
+      // All positions since the last frame, so that quick strokes stay round.
       const all = event.getCoalescedEvents?.() ?? [];
       for (const one of all.length > 0 ? all : [event]) this.hand.move(this.touchOf(one));
       return;
@@ -110,7 +110,7 @@ export class Pointers {
     this.viewMoved();
   }
 
-  /** Two fingers turn, come nearer and roll; three shift. */
+  /** Two fingers turn, zoom and roll the view; three move it. */
   private fingersMoved(id: number, touch: Touch): void {
     const before = [...this.fingers.values()];
     this.fingers.set(id, touch);
@@ -150,7 +150,7 @@ export class Pointers {
     const box = this.area.getBoundingClientRect();
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
     const by = Math.max(-150, Math.min(150, event.deltaY * lines));
-    // Browsers tell a pinch on a touch pad as a wheel with Ctrl, in small steps.
+    // Browsers report a pinch on a touch pad as a wheel with Ctrl, in small steps.
     const factor = Math.exp(by * (event.ctrlKey ? 0.01 : 0.0018));
     this.camera.zoom(factor, event.clientX - box.left, event.clientY - box.top);
     this.viewMoved();
@@ -160,7 +160,7 @@ export class Pointers {
     try {
       this.area.setPointerCapture(event.pointerId);
     } catch {
-      // The pointer is gone already; its end comes without being captured.
+      // The pointer is already gone; its end is reported without capture.
     }
   }
 }

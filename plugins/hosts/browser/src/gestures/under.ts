@@ -1,4 +1,4 @@
-// What is under a pixel: a point of the drawing, a curve, or the mesh.
+// Finds the object under a pixel: a point of the drawing, a curve, or the mesh.
 import type { Vec3 } from '../engine/types';
 import type { Picker } from '../pick/picker';
 import type { Place, State, Under } from '../state/state';
@@ -19,7 +19,7 @@ export class Finder {
     return this.picker()?.first(this.stage.rayAt(x, y).ray) ?? null;
   }
 
-  /** Points are grasped within `reach` pixels, curves within half of that. */
+  /** Points are grabbed within `reach` pixels, curves within half of it. */
   under(x: number, y: number, reach: number, state: State): Under {
     const point = this.pointNear(x, y, reach, state);
     if (point) return point;
@@ -29,7 +29,7 @@ export class Finder {
     return place ? { kind: 'mesh', place } : { kind: 'nothing' };
   }
 
-  /** Where the first point of the curve that is being drawn is on the canvas. */
+  /** The place on the canvas of the first point of the unfinished curve. */
   firstPoint(state: State): { x: number; y: number } | null {
     const first = state.drawing.unfinished ? state.drawing.curves.at(-1)?.points[0] : undefined;
     return first && state.mesh ? this.stage.onScreen(positionOf(state.mesh.info, first)) : null;
@@ -45,8 +45,8 @@ export class Finder {
     const found: (Near & { curve: number; point: number })[] = [];
     state.drawing.curves.forEach((curve, c) => curve.points.forEach((point, k) => {
       const isChosen = state.chosen?.curve === c && state.chosen.point === k;
-      // The dots of a stroke lie close together: they are grasped only where one is aimed at, and
-      // otherwise a new point goes onto the curve.
+      // Points of a stroke lie close together. They are grabbed only by a click close to one; other
+      // clicks add a point to the curve.
       const most = wasClicked(point.exact) || point.pinned || isChosen ? reach : reach / 4;
       const position = positionOf(mesh, point);
       const screen = this.stage.onScreen(position);
@@ -78,13 +78,13 @@ export class Finder {
       }
     });
     const best = nearest(found, (position) => this.isHidden(position));
-    // On the curve, not where the mouse is: a new point begins without moving the curve.
+    // A place on the curve, not under the mouse, so that the new point does not move the curve.
     const place = best ? (this.place(...best.pixel) ?? this.place(x, y)) : null;
     return best && place ? { kind: 'line', curve: best.curve, segment: best.segment, place } : null;
   }
 }
 
-/** The nearest one that can be seen. */
+/** The nearest visible one. */
 function nearest<T extends Near>(found: T[], hidden: (position: Vec3) => boolean): T | null {
   found.sort((a, b) => a.distance - b.distance);
   return found.slice(0, 12).find((one) => !hidden(one.position)) ?? null;

@@ -1,12 +1,12 @@
-// The page's side of its service worker, which makes it work without a net.
+// The page's part of its service worker, which makes the page work without a network.
 import { byId, setText } from '../elements';
 
-/** How long a new version may take to begin before the old one goes on. */
+/** Milliseconds within which a new version must start; otherwise the old version continues. */
 const patience = 1000;
 
 /**
- * A newer version that came during the last visit begins now, before anything is opened. Returns
- * whether the page is being loaded anew.
+ * Starts a newer version that arrived during the last visit, before anything is opened. Returns
+ * whether the page is being reloaded.
  */
 export async function beginNewerVersion(): Promise<boolean> {
   const { serviceWorker } = navigator as Partial<Navigator>;
@@ -22,10 +22,11 @@ export async function beginNewerVersion(): Promise<boolean> {
   return true;
 }
 
-/** Keeps the page's files in the browser, and says so when they are there. */
+/** Keeps the page's files in the browser, and shows when they are complete. */
 export async function keepForOffline(): Promise<void> {
   const { serviceWorker } = navigator as Partial<Navigator>;
-  // It is not there in http: from another machine, and may be off: then the page needs the net to open.
+  // Browsers have no service worker for http: from another machine, and may switch it off; the page
+  // then needs the network.
   if (!serviceWorker) return;
   try {
     await serviceWorker.register('service_worker.js');

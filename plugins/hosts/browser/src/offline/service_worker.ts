@@ -1,7 +1,7 @@
-// Keeps the page's own files in the browser, so that it opens and works without a net. What a person
-// opens or draws never comes here.
+// Keeps the page's own files in the browser, so that it works without a network. The user's files
+// and drawings never come here.
 
-/** What build.mjs has made: each file with its hash, and a hash of them all. */
+/** Set by build.mjs: each file with its hash, and a hash of all. */
 declare const FILES: Record<string, string>;
 declare const VERSION: string;
 
@@ -22,10 +22,11 @@ interface WorkerSide {
 }
 const side = self as unknown as WorkerSide;
 const { scope } = side.registration;
-/** Other pages of this host may keep files, too. */
+/** The cache's name has the page's address, since other pages of this host may keep files, too. */
 const ours = `talweg ${scope} `, cacheName = ours + VERSION;
 
-/** All files or none: one that is not what was built, as while a new version is put there, is refused. */
+/** Keeps all files or none. A file with another hash is refused, as while a new version is being
+   uploaded. */
 async function keepAll(): Promise<void> {
   const cache = await caches.open(cacheName);
   await cache.addAll(Object.entries(FILES).map(([file, integrity]) =>
@@ -44,7 +45,7 @@ async function kept(file: string, request: Request): Promise<Response> {
   return (await cache.match(new URL(file, scope))) ?? fetch(request);
 }
 
-/** With two pages open, one would get files of a version that is not its own. */
+/** With two open pages, one would get files of another version. */
 async function takeOver(): Promise<void> {
   const pages = await side.clients.matchAll({ type: 'window', includeUncontrolled: true });
   if (pages.length < 2) await side.skipWaiting();

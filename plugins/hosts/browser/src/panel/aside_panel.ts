@@ -1,4 +1,4 @@
-// The drawings on other meshes, each with the way back to it.
+// The list of drawings on other meshes, each with a button that brings it back.
 import type { Aside } from '../session/asides';
 import { changed, type Store } from '../state/store';
 import { byId, element, fill } from '../elements';
@@ -24,7 +24,7 @@ function item(aside: Aside, bringBack: (id: number) => Promise<void>): HTMLLIEle
   button.type = 'button';
   button.setAttribute('aria-label', `Bring it back: the drawing on ${name}`);
   button.addEventListener('click', () => {
-    // The button goes, and with it would go the focus.
+    // The button disappears, and the focus with it.
     void bringBack(aside.id).then(() => byId('view').focus({ preventScroll: true }));
   });
   made.append(`The drawing on ${name} (${curves}) was put aside. `, button);

@@ -1,7 +1,7 @@
-// Lets the person choose one of several things that came together.
+// Lets the user choose one of several files that came together.
 import { byId, element, setText } from '../elements';
 
-/** null: none of them. */
+/** null: none was chosen. */
 export function chooseOne(question: string, names: string[]): Promise<number | null> {
   const dialog = byId<HTMLDialogElement>('choice');
   setText('choice-title', question);

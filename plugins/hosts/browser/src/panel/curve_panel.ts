@@ -1,4 +1,4 @@
-// The list of curves, and what can be done to the chosen one.
+// The list of curves, and the commands for the chosen curve.
 import type { Curve } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
@@ -40,7 +40,7 @@ export class CurvePanel {
     byId<HTMLFormElement>('curve-form').addEventListener('submit', (event) => event.preventDefault());
   }
 
-  /** What was refused is shown as it is. */
+  /** A refused value is replaced by the present one. */
   private orBack(taken: boolean): void {
     if (!taken) this.update(this.store.now);
   }
@@ -99,7 +99,7 @@ function pointsText(count: number): string {
   return count === 1 ? '1 point' : `${count} points`;
 }
 
-/** What decides whether a curve can be used stands below its name. */
+/** A decisive warning stands below the curve's name. */
 function showBadges(state: State): void {
   const rows = [...byId('curve-list').children];
   for (const row of rows) row.querySelector('.badge')?.remove();

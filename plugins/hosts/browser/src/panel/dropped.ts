@@ -1,11 +1,11 @@
 // The files that were dropped onto the page, also those in dropped folders.
 
-/** A folder with more files than this was not meant. */
+/** A folder with more files was not dropped on purpose. */
 const most = 1000;
 
 /**
- * All files, and the names of the folders that they came from. Has to be called at once: later a
- * browser does not tell any more what was dropped.
+ * All files, and the names of the folders that they came from. Must be called at once: later the
+ * browser hides the dropped items.
  */
 export function droppedFiles(transfer: DataTransfer): Promise<{ files: File[]; folders: string[] }> {
   const items = [...transfer.items].filter((item) => item.kind === 'file');
@@ -25,7 +25,7 @@ async function collected(entries: (FileSystemEntry | null)[], plain: File[]) {
 async function addFiles(folder: FileSystemDirectoryEntry, files: File[]): Promise<void> {
   const reader = folder.createReader();
   for (;;) {
-    // A browser gives some of them at a time, and none at the end.
+    // A browser returns some entries at a time, and none at the end.
     const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (some.length === 0) return;
     for (const entry of some) {

@@ -1,4 +1,4 @@
-// Saving, reading, and what is dropped onto the page.
+// Saves and reads files, and takes files that are dropped onto the page.
 import { changed, type Store } from '../state/store';
 import type { Desk } from '../actions/desk';
 import type { FilesWork } from '../actions/files_work';
@@ -70,13 +70,13 @@ export class FilesPanel {
     });
   }
 
-  /** Meshes first: curves and labels that come with one belong on it. */
+  /** Meshes first: curves and labels that come with a mesh belong on it. */
   private async take({ files, folders }: { files: File[]; folders: string[] }): Promise<void> {
     const kinds = await Promise.all(files.map(async (file) => ({ file, kind: await kindOf(file) })));
     const of = (kind: Kind) => kinds.filter((one) => one.kind === kind).map((one) => one.file);
-    // Of what is no mesh by its name, the library says what it is.
+    // A file with an unknown name is opened as a mesh, so that the library reports the error.
     const meshes = of('mesh').length > 0 || folders.length > 0 ? of('mesh') : of('other');
-    // Folders have all sorts of files: of those only what can be opened alone is meant.
+    // Folders contain many kinds of files: only meshes and sessions are used.
     if (folders.length > 0 && meshes.length + of('session').length === 0) {
       this.desk.store.trouble('mesh', `There is no mesh in ${folders.join(', ')}: this page opens ${meshNames}.`);
       return;
@@ -97,7 +97,7 @@ export class FilesPanel {
 
 type Kind = 'mesh' | 'curves' | 'labels' | 'session' | 'other';
 
-/** What a file is, by its name; OBJ, PLY and VTK files may hold either. */
+/** The kind of a file, by its name; OBJ, PLY and VTK files may hold meshes or curves. */
 async function kindOf(file: File): Promise<Kind> {
   const name = file.name.toLowerCase();
   if (name.endsWith('.talweg')) return 'session';

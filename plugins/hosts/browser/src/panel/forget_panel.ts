@@ -1,4 +1,4 @@
-// Forgetting everything asks first: nothing of it comes back.
+// Asks before everything is forgotten, since nothing can be brought back.
 import { type Acts, byId } from '../elements';
 
 export function forgetActs(forget: () => Promise<void>): Acts {
@@ -7,7 +7,7 @@ export function forgetActs(forget: () => Promise<void>): Acts {
   const show = (shown: boolean) => {
     question.hidden = !shown;
     asks()?.setAttribute('aria-expanded', String(shown));
-    // The answer that loses nothing is at hand.
+    // The focus is on the answer that loses nothing.
     (shown ? question.querySelector<HTMLElement>('[data-act="forget-not"]') : asks())?.focus();
   };
   question.addEventListener('keydown', (event) => {

@@ -1,4 +1,4 @@
-// The list of keys, made of the keys that there are.
+// The list of keys in the help, made from the keys themselves.
 import type { Key } from '../gestures/keys';
 import { byId, element } from '../elements';
 

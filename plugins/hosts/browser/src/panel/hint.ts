@@ -1,4 +1,4 @@
-// The line below the mesh that says what a click would do now, and the buttons that go with it.
+// The line below the mesh with the effect of a click, and its buttons.
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { firstVerdict, verdicts } from '../state/verdict';
@@ -12,7 +12,7 @@ export function bindHint(store: Store): void {
   });
 }
 
-/** One sentence, the first that decides whether what is seen can be used. */
+/** The first decisive warning as a sentence. */
 function warn(state: State): void {
   const first = state.cut ? null : firstVerdict(state);
   byId('alert').hidden = first === null;

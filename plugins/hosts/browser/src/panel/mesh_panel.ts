@@ -1,4 +1,4 @@
-// What the panel tells of the mesh, and the repair that it offers.
+// The panel's text about the mesh, and the offer to repair it.
 import type { OpenMesh, State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { countText, lengthText } from '../state/numbers';
@@ -16,7 +16,7 @@ export function bindMeshPanel(store: Store): void {
 
 const pageTitle = document.title;
 
-/** A hand on its keys goes on with the mesh. */
+/** If the start panel had the focus, the mesh gets it. */
 function hideStart(hidden: boolean): void {
   const start = byId('start');
   const hadFocus = start.contains(document.activeElement);
@@ -24,7 +24,7 @@ function hideStart(hidden: boolean): void {
   if (hidden && hadFocus) byId('view').focus({ preventScroll: true });
 }
 
-/** The unit that the file tells, if it does, and those that can be chosen. */
+/** The unit from the file, if it has one, and the units that the user can choose. */
 function tellUnit({ info, unit }: OpenMesh): void {
   const first = Object.assign(element('option', info.unit ? `${unitName(info.unit)}, as its file says` : 'not known'), { value: '' });
   const others = [...new Set([...units, ...(unit ? [unit] : [])])];

@@ -1,4 +1,4 @@
-// The offset of the curves: how far, of which, on which side, and what came of it.
+// The offset of the curves: its distance, curves and side, and its result.
 import type { Caps, Side } from '../engine/types';
 import type { OffsetWork } from '../actions/offset_work';
 import { nameOf, type OffsetSettings, type State } from '../state/state';

@@ -1,8 +1,8 @@
-// What a repair would do, and what it did, in words.
+// Words for the changes of a repair, planned or done.
 import type { MeshInfo, Weld } from '../engine/types';
 import { countText, lengthText } from '../state/numbers';
 
-/** Sentences of the library about a repair that is done, as what is to come. */
+/** The library's sentence about a change in the past tense, as a sentence about a planned change. */
 export function planned(sentence: string): string {
   return sentence.replace(/^Repair: /, '')
     .replace(/ (?:was|were) /, ' would be ')
@@ -23,7 +23,7 @@ export function weldWords(weld: Weld, unit: string): string {
   return `${countText(vertices)} vertices ${where} would be welded: ${changes.join(', ')}.`;
 }
 
-/** The headline of what a repair is or was about, and its items; null: there is nothing to tell. */
+/** The headline of a repair, planned or done, and its items; null: there is none. */
 export function repairWords(info: MeshInfo, unit: string): { why: string; items: string[] } | null {
   const { repaired, defects, repair, weld } = info;
   if (repaired) {

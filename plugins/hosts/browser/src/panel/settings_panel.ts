@@ -1,4 +1,4 @@
-// How all curves are smoothed.
+// The settings for all curves.
 import type { Editor } from '../engine/editor';
 import type { Ends } from '../engine/types';
 import { hasStrokes, type State } from '../state/state';
@@ -56,7 +56,8 @@ export class SettingsPanel {
     this.letTauBeSeen(drawing.curves.length > 0 && !drawing.unfinished);
   }
 
-  /** In a small window τ is far below. After the first curve it is what a hand looks for. */
+  /** In a small window τ is far below. After the first curve the panel scrolls to it, since users
+     look for it next. */
   private letTauBeSeen(hasCurve: boolean): void {
     if (!hasCurve || this.wasSeen) return;
     this.wasSeen = true;
@@ -81,7 +82,7 @@ export class SettingsPanel {
     });
   }
 
-  /** What was refused is shown as it is. */
+  /** A refused value is replaced by the present one. */
   private orBack(taken: boolean): void {
     if (!taken) this.update(this.store.now);
   }
@@ -99,7 +100,7 @@ export class SettingsPanel {
   }
 }
 
-/** A bound that could not be held says so where it is set. */
+/** A bound that could not be kept is reported beside its field. */
 function tellOfBound(state: State): void {
   const unit = unitOf(state);
   const beyond = boundChooses(state.drawing) ? beyondBound(state) : [];

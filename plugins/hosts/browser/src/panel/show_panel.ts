@@ -1,4 +1,4 @@
-// What is shown of the curves, and the legend of the colours.
+// The switches for the display of curves, and the legend of the colours.
 import { type Colouring, type Show, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { gradient } from '../view/colours';
@@ -44,7 +44,7 @@ function update(state: State): void {
   byId('legend-bar').style.background = gradient(range.from < 0 ? 'twoWay' : 'growing');
 }
 
-/** The curve and place that deviate most; null where nothing was measured. */
+/** The curve and the place of the largest deviation; null if none was measured. */
 export function worstOf(state: State) {
   const all = state.smoothed?.curves.map(({ report }) => report).filter((report) => report.worst) ?? [];
   all.sort((a, b) => (b.farthest ?? 0) - (a.farthest ?? 0));

@@ -1,12 +1,12 @@
-// A slider and a box with its number. A movement of the slider is one step that can be undone.
+// A slider and a box with its number. A movement of the slider is one step of undo.
 
 export interface Scale {
-  /** The value at a position from 0 to 1, and back. */
+  /** The value at a position from 0 to 1, and the inverse. */
   value(position: number): number;
   position(value: number): number;
 }
 
-/** Fine near 0: position t stands for most * t^2. */
+/** Fine near 0: position t has the value most * t^2. */
 export function squares(most: number): Scale {
   return {
     value: (t) => rounded(most * t * t),
@@ -14,7 +14,7 @@ export function squares(most: number): Scale {
   };
 }
 
-/** Equal steps are equal factors, from least to most. */
+/** A logarithmic scale from least to most. */
 export function factors(least: number, most: number): Scale {
   const all = Math.log(most / least);
   return {
@@ -23,17 +23,17 @@ export function factors(least: number, most: number): Scale {
   };
 }
 
-/** Three digits: nobody means more with a slider. */
+/** Three digits, the precision of a slider. */
 function rounded(value: number): number {
   return Number(value.toPrecision(3));
 }
 
 export interface SliderHand {
   begin(): void;
-  /** The hand is still on the slider. */
+  /** The slider is still held. */
   slide(value: number): void;
   end(): void;
-  /** A number was written. */
+  /** A number was typed. */
   write(value: number): void;
 }
 

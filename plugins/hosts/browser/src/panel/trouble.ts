@@ -1,11 +1,11 @@
-// Sentences about trouble stand beside what they are about, and the newest on the mesh, where one
-// looks. What happened is told to screen readers, and work that takes long can be ended.
+// Shows sentences about errors beside the part of the panel that they are about, and the newest one
+// on the mesh. Screen readers get events, and long work gets a button that ends it.
 import type { Spot, State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { byId, setText } from '../elements';
 
 const spots: Spot[] = ['mesh', 'drawing', 'settings', 'offset', 'cut', 'files', 'session'];
-/** Work that is shorter is not worth a message. */
+/** Milliseconds; shorter work gets no message. */
 const patience = 500;
 
 export function bindTrouble(store: Store): void {
@@ -28,7 +28,7 @@ export function bindTrouble(store: Store): void {
   });
 }
 
-/** The trouble that has come just now, or else what the mesh tells already while that lasts. */
+/** The sentence for the mesh: the newest one, or the shown one while it lasts. */
 function alarmOf({ trouble }: State, before: State): string {
   const newest = spots.find((spot) => trouble[spot] !== undefined && trouble[spot] !== before.trouble[spot]);
   if (newest) return trouble[newest] ?? '';

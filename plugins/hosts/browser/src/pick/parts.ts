@@ -1,10 +1,11 @@
-// The parts of a mesh: no curve gets from one to another.
+// The connected parts of a mesh: a curve cannot leave its part.
 import type { MeshInfo } from '../engine/types';
 
-/** Of each vertex a vertex of its part, always the same one. */
+/** For each vertex a representative of its part. */
 const found = new WeakMap<MeshInfo, Uint32Array>();
 
-/** Whether a curve can get from one face to another. A repair may have joined parts: then it is taken to. */
+/** Whether a curve can lead from one face to another. For a repaired mesh the answer is yes, since
+   a repair may have joined parts. */
 export function areJoined(mesh: MeshInfo, face: number, other: number): boolean {
   if (mesh.repaired) return true;
   let parts = found.get(mesh);

@@ -1,4 +1,4 @@
-// Finds where the mesh is under the mouse, with a tree of boxes that a worker has made.
+// Finds the place of the mesh under the mouse, by a tree of boxes that a worker has made.
 import { DoubleSide, Ray, Vector3 } from 'three';
 import type { MeshBVH } from 'three-mesh-bvh';
 import type { MeshInfo, Vec3 } from '../engine/types';
@@ -22,11 +22,11 @@ export class Picker {
     const way = new Vector3(...position).sub(eye);
     const distance = way.length();
     const hit = this.tree.raycastFirst(new Ray(eye.clone(), way.normalize()), DoubleSide);
-    // Curves lie in the faces: what is met this close to the position is the place itself.
+    // Curves lie in the faces: a hit so close to the position is the position itself.
     return !!hit && hit.distance < distance - 1e-3 * this.mesh.size;
   }
 
-  /** Away from the face that is nearest to a position. */
+  /** The normal of the face nearest to a position. */
   normalNear(position: Vec3): Vector3 | null {
     const found = this.tree.closestPointToPoint(new Vector3(...position));
     if (!found) return null;

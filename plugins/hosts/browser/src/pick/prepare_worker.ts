@@ -1,4 +1,4 @@
-// A worker that makes of a mesh what the page needs to show it and to pick on it.
+// A worker that makes the arrays that show a mesh, and the tree that picks on it.
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { shapeOf, type Shape } from './shape';
@@ -25,9 +25,9 @@ side.onmessage = (event) => {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(triangles, 1));
-  // Indirect: the faces keep their numbers.
+  // Indirect, so that faces keep their numbers.
   const tree = MeshBVH.serialize(new MeshBVH(geometry, { indirect: true }), { cloneBuffers: false });
-  // Nothing stays here: the worker waits for the next mesh.
+  // All arrays are transferred: the worker keeps nothing for the next mesh.
   const arrays = [shape.positions, shape.normals, shape.index, tree.indirectBuffer];
   side.postMessage({ shape, tree: { ...tree, index: null } },
     [...arrays.flatMap((array) => (array ? [array.buffer] : [])), ...tree.roots] as Transferable[]);

@@ -1,5 +1,5 @@
-// Makes of a mesh what shows it and what finds places on it, in a worker that is there from the start:
-// a page that has lost its net can still open meshes.
+// Makes the arrays that show a mesh and the tree that finds places on it, in a worker that is
+// loaded at the start, so that a page without a network can still open meshes.
 import { BufferAttribute, BufferGeometry } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import { Ended } from '../engine/engine';
@@ -15,10 +15,10 @@ export interface Prepared {
 
 export class Preparer {
   private worker = newWorker();
-  /** Rejects what is being prepared. */
+  /** Rejects the running preparation. */
   private stop: ((reason: Error) => void) | null = null;
 
-  /** Resolves as soon as nothing has to be loaded any more. Throws Error with a sentence. */
+  /** Resolves when everything is loaded. Throws Error with a sentence. */
   async loaded(): Promise<void> {
     await this.worker;
   }
@@ -39,7 +39,7 @@ export class Preparer {
     }
   }
 
-  /** Ends what is being prepared: it rejects with Ended. */
+  /** Ends the running preparation, which rejects with Ended. */
   end(): void {
     this.stop?.(new Ended('The preparation was ended.'));
   }
@@ -61,14 +61,14 @@ export class Preparer {
   }
 }
 
-/** Its first message says that it is there. */
+/** The worker's first message says that it is loaded. */
 function newWorker(): Promise<Worker> {
   const loaded = new Promise<Worker>((resolve, reject) => {
     const worker = new Worker(new URL('prepare_worker.js', document.baseURI), { type: 'module' });
     worker.onmessage = () => resolve(worker);
     worker.onerror = (event) => reject(failure('cannot be loaded', event));
   });
-  loaded.catch(() => {});  // whoever needs it is told
+  loaded.catch(() => {});  // the error is reported to callers of loaded()
   return loaded;
 }
 

@@ -1,14 +1,14 @@
-// What shows a mesh well: smooth where it is smooth, with its sharp edges where it has them. Only
-// corners on sharp edges get points of their own, so a million faces stay small.
+// Arrays that show a mesh with smooth shading and sharp edges. Only corners on sharp edges get
+// separate points, which saves memory for a million faces.
 
 export interface Shape {
   positions: Float32Array;
   normals: Float32Array;
-  /** Triangles as they were, in the same order. */
+  /** The mesh's triangles, in the same order. */
   index: Uint32Array;
 }
 
-/** Edges that turn by more than this are shown sharp. */
+/** Edges with a larger angle between their faces are shown sharp. */
 const sharp = Math.cos((40 * Math.PI) / 180);
 
 /** Unit normals of the faces; zero for faces without area. */
@@ -29,7 +29,8 @@ function faceNormals(positions: Float32Array, triangles: Uint32Array): Float32Ar
   return normals;
 }
 
-/** The corners (3 f + k) at each vertex, one after another, and where each vertex's begin. */
+/** The corners (3 f + k) at each vertex, one after another, and the index at which each vertex's
+   corners begin. */
 function cornersAtVertices(triangles: Uint32Array, vertices: number) {
   const begin = new Uint32Array(vertices + 1);
   for (const v of triangles) ++begin[v + 1];
@@ -40,7 +41,8 @@ function cornersAtVertices(triangles: Uint32Array, vertices: number) {
   return { begin, corners };
 }
 
-/** The corners at a vertex in groups whose faces turn little from the group's first; nearly always one. */
+/** The corners at a vertex in groups, whose faces turn little from the group's first face; mostly
+   one group. */
 function groupsOf(faces: Float32Array, open: Uint32Array): ArrayLike<number>[] {
   const turnsLittle = (c: number, d: number) => {
     const f = c - (c % 3), g = d - (d % 3);
@@ -69,7 +71,8 @@ function meanNormal(faces: Float32Array, group: ArrayLike<number>): [number, num
   return [x / length, y / length, z / length];
 }
 
-/** Each corner's normal is the mean over the faces at its vertex that turn little from its own. */
+/** Each corner's normal is the mean over those faces at its vertex that turn little from the
+   corner's own face. */
 export function shapeOf(positions: Float32Array, triangles: Uint32Array): Shape {
   const vertices = positions.length / 3;
   const faces = faceNormals(positions, triangles);

@@ -9,23 +9,24 @@ import { keepAsides } from './keep';
 import type { Session } from './session';
 
 export interface Aside {
-  /** Tells one from the next. */
+  /** Unique among the drawings that were put aside. */
   id: number;
-  /** Its mesh has no bytes where they were too many to be kept: it has to be opened by hand. */
+  /** The session's mesh has no bytes if they were too many to be kept; the user must open the file
+     then. */
   session: Session;
   curves: number;
-  /** The steps of the drawing, until the page is left. */
+  /** The editor with the drawing's history, until the page is left. */
   editor: Editor | null;
 }
 
-/** So many are kept; and the meshes of the newest, up to this many bytes together. */
+/** Limits: the number of kept drawings, and the bytes of the newest ones' meshes in total. */
 const most = 5, roomOfMeshes = 300e6;
 
 export class Asides implements Openings {
   private ids = 0;
-  /** What the mesh that is open has taken the place of. */
+  /** The drawing that the opening of the present mesh put aside. */
   private behind: Aside | null = null;
-  /** What was open before an opening was undone. */
+  /** The drawing that was open before an opening was undone. */
   private ahead: Aside | null = null;
 
   constructor(private readonly desk: Desk, private readonly current: Current,
@@ -38,14 +39,15 @@ export class Asides implements Openings {
     });
   }
 
-  /** Puts aside sessions that were kept. Of two that are the same one is enough, and empty ones none. */
+  /** Puts kept sessions aside. Equal sessions are kept once, empty ones not at all. */
   add(sessions: Session[]): void {
     const known = this.list.map(({ session }) => session.drawing);
     const more = sessions.filter(({ drawing }) => !known.includes(drawing)).map((session) => this.asideOf(session, null));
     if (more.length > 0) this.set([...this.list, ...more]);
   }
 
-  /** After a reload: Undo gives back what the mesh has taken the place of, if nothing is drawn on it yet. */
+  /** After a reload: Undo restores the drawing that the present mesh replaced, if nothing is drawn
+     on it yet. */
   standBehind(): void {
     const [newest] = this.list;
     const { drawing } = this.desk.store.now;
@@ -113,7 +115,7 @@ export class Asides implements Openings {
       redo: this.desk.editor.redoName() ?? this.redoName() });
   }
 
-  /** Opens it again, and puts aside what is open. Gives what that was. */
+  /** Opens it again, and puts the open drawing aside, which is returned. */
   private async take(aside: Aside): Promise<Aside | null> {
     const { mesh } = aside.session;
     if (this.desk.store.now.opening) return null;
@@ -129,7 +131,7 @@ export class Asides implements Openings {
     return this.behind ?? left;
   }
 
-  /** The mesh that a drawing waits for may have been opened. */
+  /** The opened mesh may be the one that a drawing waits for. */
   private async meet({ name, repaired, info }: OpenMesh): Promise<void> {
     const waiting = this.list.find(({ session: { mesh } }) => mesh !== null && mesh.bytes.length === 0
       && mesh.name === name && (mesh.faces === undefined || mesh.faces === info.faces));

@@ -1,15 +1,15 @@
-// Bytes as text and back, packed: sessions hold whole meshes.
+// Packs bytes as text, and back: sessions hold whole meshes.
 
 /** The bytes, gzipped, in base 64. */
 export async function packed(bytes: Uint8Array): Promise<string> {
   const zipped = await through(bytes, new CompressionStream('gzip'));
   let text = '';
-  // A function takes only so many arguments at once.
+  // A call has a limited number of arguments.
   for (let k = 0; k < zipped.length; k += 0x8000) text += String.fromCharCode(...zipped.subarray(k, k + 0x8000));
   return btoa(text);
 }
 
-/** Throws for text that packed() has not made. */
+/** Throws for text that is no output of packed(). */
 export async function unpacked(text: string): Promise<Uint8Array> {
   const zipped = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   return through(zipped, new DecompressionStream('gzip'));

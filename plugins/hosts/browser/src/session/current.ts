@@ -1,4 +1,4 @@
-// The session that is open, as a value, and another one in its place.
+// Returns the open session as a value, and opens another one.
 import type { Desk } from '../actions/desk';
 import { sentenceOf } from '../actions/desk';
 import type { Live } from '../actions/live';
@@ -9,7 +9,7 @@ import type { ViewCamera } from '../view/camera';
 import type { Session } from './session';
 
 export class Current {
-  /** A session is being opened: its drawing comes as soon as its mesh is there. */
+  /** A session is being opened; its drawing follows when its mesh is open. */
   opening = false;
 
   constructor(private readonly desk: Desk, private readonly live: Live, private readonly meshes: MeshWork,
@@ -25,7 +25,7 @@ export class Current {
     };
   }
 
-  /** With the editor that has the steps of its drawing, where that is still there. */
+  /** Opens a session; `editor` has its drawing's history, if still known. */
   async open(session: Session, editor: Editor | null = null): Promise<boolean> {
     const { mesh } = session;
     this.opening = true;
@@ -38,7 +38,7 @@ export class Current {
     return true;
   }
 
-  /** Draws on the mesh that is open what was drawn on it before. */
+  /** Restores a session's drawing on the open mesh. */
   restore(session: Session, editor: Editor | null = null): void {
     const { desk } = this;
     try {

@@ -9,7 +9,7 @@ export async function get<T>(key: string): Promise<T | undefined> {
   return (await inDatabase('readonly', (values) => values.get(key))) as T | undefined;
 }
 
-/** Where another tab has it open, as soon as that one closes it. */
+/** Removes the database; if another tab has it open, when that tab closes it. */
 export function drop(): Promise<void> {
   return new Promise((resolve, reject) => {
     const request = indexedDB.deleteDatabase(name);

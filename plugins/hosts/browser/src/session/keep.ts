@@ -1,5 +1,5 @@
-// Where sessions are kept: in this tab, and on this machine only after the person has said so.
-// Drawings are small and kept often; a mesh is kept once.
+// Stores sessions: in this tab, and on this machine only with the user's consent. Drawings are
+// small and stored often; a mesh is stored once.
 import { packed, unpacked } from './bytes';
 import * as database from './database';
 import { isKeeper } from './keeper';
@@ -7,26 +7,26 @@ import { drawingText, sessionOf, textOf, type Session } from './session';
 
 const drawingKey = 'talweg.session', meshKey = 'talweg.mesh', asidesKey = 'talweg.asides';
 export const askedKey = 'talweg.keep';
-/** What browsers let a tab keep, in characters, less some air. */
+/** The storage of a tab in browsers, in characters, with a margin. */
 const tabRoom = 4_500_000;
 
-/** The mesh that is to be kept, and the one that the tab has, or has no room for. */
+/** The mesh to be stored, and the mesh that the tab has or has no room for. */
 let wanted: Uint8Array | null = null;
 let keptInTab: Uint8Array | null = null;
 let keptOnMachine: Uint8Array | null = null;
 let asides: Session[] = [];
 let last: Promise<unknown> = Promise.resolve();
-/** What packed() made of these bytes. */
+/** The results of packed() for bytes. */
 const texts = new WeakMap<Uint8Array, string>();
 
-/** One after the other, so that what is being kept is forgotten, too. */
+/** Runs work in sequence, so that data that are being stored are also removed. */
 function inTurn<T>(work: () => Promise<T>): Promise<T> {
   const turn = last.then(work, work);
   last = turn;
   return turn;
 }
 
-/** Whether the person wants it: for all tabs. */
+/** Whether the user wants storage on the machine; holds for all tabs. */
 export function isKeptOnMachine(): boolean {
   return localStorage.getItem(askedKey) === 'yes';
 }
@@ -35,7 +35,7 @@ function writesOnMachine(): boolean {
   return isKeptOnMachine() && isKeeper();
 }
 
-/** Says whether sessions are kept on this machine from now on; what is there is forgotten if not. */
+/** Switches storage on this machine on or off; off removes all stored data. */
 export function keepOnMachine(keep: boolean): Promise<void> {
   return inTurn(async () => {
     keptOnMachine = null;
@@ -48,7 +48,8 @@ export function keepOnMachine(keep: boolean): Promise<void> {
   });
 }
 
-/** The tab has the drawing when this returns; whether the mesh is kept, too (a tab may lack the room), is told later. */
+/** The drawing is stored when this returns. The promise tells whether the mesh is stored, too; a
+   tab may lack the room. */
 export async function keep(session: Session): Promise<boolean> {
   const bytes = session.mesh?.bytes ?? new Uint8Array();
   const drawing = drawingText(session);
@@ -66,14 +67,14 @@ async function keepWhole(bytes: Uint8Array, drawing: string): Promise<boolean> {
     await database.put('session', drawing);
   }
   if (bytes !== keptInTab) {
-    keepAsideDrawings();  // the mesh that is open comes first
+    keepAsideDrawings();  // the open mesh has priority
     await keepMeshInTab(bytes);
     await keepAsideMeshes();
   }
   return writesOnMachine() || sessionStorage.getItem(meshKey) !== null;
 }
 
-/** The tab has the drawings when this returns, and later their meshes, as far as there is room. */
+/** The drawings are stored when this returns, and later their meshes, as far as there is room. */
 export function keepAsides(sessions: Session[]): Promise<void> {
   asides = sessions;
   keepPackedAsides();
@@ -83,7 +84,7 @@ export function keepAsides(sessions: Session[]): Promise<void> {
   });
 }
 
-/** The session of this tab, or the one of this machine; without bytes if only the drawing is there. */
+/** The session of this tab, or of this machine; without bytes if only the drawing is stored. */
 export async function kept(): Promise<Session | null> {
   const drawing = sessionStorage.getItem(drawingKey), mesh = sessionStorage.getItem(meshKey);
   if (drawing && mesh) {
@@ -95,14 +96,14 @@ export async function kept(): Promise<Session | null> {
   return onMachine ?? (drawing ? read(drawing) : null);
 }
 
-/** What the tab that keeps on this machine has kept last. */
+/** The last session that a tab stored on this machine. */
 export async function keptOnThisMachine(): Promise<Session | null> {
   const drawing = await database.get<string>('session');
   if (!drawing) return null;
   return withBytes(await read(drawing), (await database.get<Uint8Array>('mesh')) ?? new Uint8Array());
 }
 
-/** What was put aside, the newest first. */
+/** The drawings that were put aside, the newest first. */
 export async function keptAsides(): Promise<Session[]> {
   const onMachine = writesOnMachine() ? await asidesOnThisMachine() : [];
   if (onMachine.length > 0) return onMachine;
@@ -129,13 +130,13 @@ export function forgetAll(): Promise<void> {
 async function keepMeshInTab(bytes: Uint8Array): Promise<void> {
   sessionStorage.removeItem(meshKey);
   const text = await textOfBytes(bytes);
-  if (bytes !== wanted) return;  // another one has come meanwhile
+  if (bytes !== wanted) return;  // another mesh has been opened since
   keptInTab = bytes;
   if (text === null || text.length > tabRoom) return;
   try {
     sessionStorage.setItem(meshKey, text);
   } catch {
-    // The browser gives less room than others do.
+    // This browser has less room than others.
     sessionStorage.removeItem(meshKey);
   }
 }
@@ -144,7 +145,7 @@ function keepAsideDrawings(): void {
   putAsides(asides.map(drawingText));
 }
 
-/** At once: with the meshes that are packed already, if they fit. */
+/** Stores at once the drawings, with the meshes that are already packed, if they fit. */
 function keepPackedAsides(): void {
   try {
     putAsides(asides.map((session) => textOf(session, (session.mesh && texts.get(session.mesh.bytes)) ?? '')));
@@ -153,7 +154,7 @@ function keepPackedAsides(): void {
   }
 }
 
-/** With the meshes of the newest, as far as there is room. */
+/** Stores the drawings, with the meshes of the newest, as far as there is room. */
 async function keepAsideMeshes(): Promise<void> {
   const sessions = asides;
   let room = tabRoom - (sessionStorage.getItem(meshKey)?.length ?? 0);
@@ -177,9 +178,9 @@ function putAsides(all: string[]): void {
   else sessionStorage.removeItem(asidesKey);
 }
 
-/** null for bytes that are too many for a tab. */
+/** The packed text; null for bytes that are too many for a tab. */
 async function textOfBytes(bytes: Uint8Array): Promise<string | null> {
-  // Packing halves at best what is no text: much larger ones need not be tried.
+  // Packing saves at most half of binary data: much larger data cannot fit.
   if (bytes.length > 4 * tabRoom) return null;
   const text = texts.get(bytes) ?? (bytes.length > 0 ? await packed(bytes) : '');
   if (text.length <= tabRoom) texts.set(bytes, text);

@@ -1,19 +1,19 @@
-// Of several tabs only one keeps its session on this machine: the first that wanted to. Another one
-// gets its turn when that tab is closed.
+// Of several tabs only one, the first that asked, stores its session on this machine. When it is
+// closed, another tab follows.
 
 const name = 'talweg.machine';
-/** A tab that is loaded anew may have to wait for itself. */
+/** Milliseconds; a reloaded tab may have to wait for the release of its own lock. */
 const patience = 500;
 
 let letGo: (() => void) | null = null;
 let queue: AbortController | null = null;
 
-/** Whether this tab may write what is kept on the machine. */
+/** Whether this tab may write to the storage of the machine. */
 export function isKeeper(): boolean {
   return letGo !== null || !hasLocks();
 }
 
-/** Whether this tab has become the keeper; if not, `later` is called when it has. */
+/** Whether this tab has become the keeper; if not, `later` is called when it becomes the keeper. */
 export async function becomeKeeper(later: () => void): Promise<boolean> {
   if (isKeeper() || (await locked(AbortSignal.timeout(patience)))) return true;
   if (!queue) {
@@ -32,7 +32,7 @@ export function stopKeeping(): void {
   letGo = null;
 }
 
-/** Browsers lock only on pages from https: and this machine. */
+/** Browsers have locks only for pages from https: and from this machine. */
 function hasLocks(): boolean {
   return (navigator as Partial<Navigator>).locks !== undefined;
 }

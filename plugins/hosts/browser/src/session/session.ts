@@ -1,10 +1,11 @@
-// A session is what a person would lose: the mesh, the drawing, and how it was looked at. A value.
+// A session is the user's work: the mesh, the drawing, and the view. A value.
 import type { CameraState } from '../view/camera';
 import type { OffsetSettings, Opening, Show } from '../state/state';
 import { packed, unpacked } from './bytes';
 
 export interface Session {
-  /** Without bytes: only the drawing on it is there. `faces` tells it from another of its name. */
+  /** Without bytes only the drawing on the mesh is stored. `faces` distinguishes it from another
+     mesh of the same name. */
   mesh: (Opening & { name: string; bytes: Uint8Array; faces?: number }) | null;
   /** The editor's state. */
   drawing: string;
@@ -19,7 +20,8 @@ export async function sessionText(session: Session): Promise<string> {
   return textOf(session, session.mesh ? await packed(session.mesh.bytes) : '');
 }
 
-/** The session without the mesh's bytes, at once: a page that is being left does not wait. */
+/** The session without the mesh's bytes, computed synchronously, since a page that is being left
+   does not wait. */
 export function drawingText(session: Session): string {
   return textOf(session, '');
 }

@@ -1,4 +1,4 @@
-// Keeps the session while one works, and brings it back.
+// Stores the session during work, and restores it.
 import { changed, type Store } from '../state/store';
 import { type Desk, sentenceOf } from '../actions/desk';
 import { download } from '../actions/files_work';
@@ -11,7 +11,8 @@ import {
 import { becomeKeeper, isKeeper, stopKeeping } from './keeper';
 import { sessionOf, sessionText } from './session';
 
-/** A drawing is kept this long after the last edit, and at once when the page is left. */
+/** Milliseconds between the last edit and the storage of the drawing. When the page is left, the
+   drawing is stored at once. */
 const pause = 400;
 
 export class SessionWork {
@@ -30,7 +31,7 @@ export class SessionWork {
       }
       if (now === before) return;
       if (changed(now, before, 'drawing', 'mesh', 'show', 'offset') && now.mesh) this.soon();
-      // Packing a mesh takes a while: it has to begin before the page may be left.
+      // Packing a mesh takes time, so it begins before the page may be left.
       if (now.mesh && now.mesh.bytes !== before.mesh?.bytes) setTimeout(() => void this.keepNow());
     });
     addEventListener('visibilitychange', () => {
@@ -41,12 +42,12 @@ export class SessionWork {
     });
   }
 
-  /** Brings back what was kept; returns whether there was anything. */
+  /** Restores the stored session; returns whether there was one. */
   async bringBack(): Promise<boolean> {
     await this.follow();
     const all = await this.desk.wait('session', 'Looking for what was put aside', keptAsides());
     const session = await this.desk.wait('session', 'Bringing back the session', kept());
-    // A page that was left while another mesh came has the same drawing twice.
+    // A page that was left while another mesh was being opened has stored the same drawing twice.
     this.asides.add((all ?? []).filter(({ drawing }) => drawing !== session?.drawing));
     if (!session?.mesh) return false;
     if (session.mesh.bytes.length > 0) {
@@ -54,7 +55,7 @@ export class SessionWork {
       this.asides.standBehind();
       return opened;
     }
-    this.asides.add([session]);  // it waits for its mesh
+    this.asides.add([session]);  // the drawing waits for its mesh
     return false;
   }
 
@@ -95,7 +96,7 @@ export class SessionWork {
     await this.keepNow();
   }
 
-  /** Does what the person said last, in this tab or another. */
+  /** Applies the user's last choice, in this tab or another. */
   private async follow(): Promise<void> {
     const onMachine = isKeptOnMachine();
     if (!onMachine) stopKeeping();
@@ -103,7 +104,7 @@ export class SessionWork {
     this.store.set({ onMachine, otherTab: !mine });
   }
 
-  /** The tab that kept its session on this machine is closed: its session is put aside here. */
+  /** The tab that stored its session on this machine was closed: its session is put aside here. */
   private async takeOver(): Promise<void> {
     this.store.set({ otherTab: false });
     try {

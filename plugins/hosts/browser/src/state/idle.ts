@@ -1,4 +1,4 @@
-// Settings that change nothing as the drawing is, and why.
+// Settings without an effect on the present drawing, and why.
 import type { Curve, Drawing } from '../engine/types';
 import { hasStrokes, wasClicked } from './state';
 
@@ -8,12 +8,12 @@ export function boundChooses(drawing: Drawing): boolean {
   return maxDeviation !== null && !paper && (hasStrokes(drawing) || drawing.curves.length === 0);
 }
 
-/** Two clicks are joined straight, whatever τ is. */
+/** Whether the curve is a straight line between two clicks, for every τ. */
 function isStraight({ points, closed }: Curve): boolean {
   return !closed && points.length === 2 && points.every((point) => wasClicked(point.exact));
 }
 
-/** Why τ changes nothing; empty where it does. */
+/** Why τ has no effect; empty if it has one. */
 export function whyTauIsIdle(drawing: Drawing): string {
   const { curves, settings } = drawing;
   if (boundChooses(drawing)) return '“At most this far” chooses τ.';
@@ -23,7 +23,7 @@ export function whyTauIsIdle(drawing: Drawing): string {
   return '';
 }
 
-/** Why slack and largest deviation change nothing; empty where they do. */
+/** Why slack and largest deviation have no effect; empty if they have one. */
 export function whySlackIsIdle(drawing: Drawing): string {
   if (drawing.curves.length > 0 && !hasStrokes(drawing)) {
     return 'Slack and largest deviation have no effect: they are for painted strokes, and clicked points are meant '
@@ -32,7 +32,7 @@ export function whySlackIsIdle(drawing: Drawing): string {
   return boundChooses(drawing) ? '“At most this far” chooses the slack, unless it is set.' : '';
 }
 
-/** Why a curve's own τ and tolerance change nothing. */
+/** Why a curve's own τ and tolerance have no effect; empty if they have one. */
 export function whyOwnIsIdle(drawing: Drawing): string {
   if (drawing.settings.paper) return 'The paper\'s method has one τ for all, and no tolerance.';
   return boundChooses(drawing) ? '“At most this far” chooses τ for all curves.' : '';

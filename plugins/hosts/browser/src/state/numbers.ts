@@ -1,6 +1,6 @@
-// Numbers as people read them.
+// Numbers as texts for the user.
 
-/** Four digits that count, without a long tail of zeros. */
+/** Four significant digits, without zeros at the end. */
 export function numberText(value: number): string {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
@@ -13,7 +13,7 @@ export function lengthText(value: number, unit: string): string {
   return unit ? `${numberText(value)} ${unit}` : numberText(value);
 }
 
-/** An angle in radians, told in degrees; what is less than a thousandth of one is rounding. */
+/** An angle in radians, written in degrees; less than a thousandth of a degree is 0. */
 export function angleText(value: number): string {
   const degrees = (value * 180) / Math.PI;
   return `${numberText(Math.abs(degrees) < 1e-3 ? 0 : degrees)}°`;

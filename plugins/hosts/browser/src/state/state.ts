@@ -1,4 +1,4 @@
-// Everything that the page shows, as one value. Parts of it are replaced, never changed in place.
+// The state of the page, as one value. Its parts are replaced, never changed in place.
 import type {
   Caps, Curve, CutResult, Drawing, Line, MeshInfo, Offset, Side, Smoothed, Vec3,
 } from '../engine/types';
@@ -11,25 +11,25 @@ export interface Place {
   position: Vec3;
 }
 
-/** How a mesh was opened, to open it so again. */
+/** The options with which a mesh was opened. */
 export interface Opening {
   repaired: boolean;
-  /** A repair welds within so many mesh units; null: as far as the mesh seems to ask for. */
+  /** The tolerance of a repair's welding, mesh units; null: chosen from the mesh. */
   weld?: number | null;
-  /** The UCUM code of the unit that a person has said; empty: what its file says. */
+  /** The UCUM code of the unit that the user has chosen; empty: the unit of the mesh's file. */
   unit?: string;
 }
 
 export interface OpenMesh extends Opening {
-  /** Tells one opened mesh from the next. */
+  /** Unique among opened meshes. */
   id: number;
   name: string;
-  /** The file as it came: for the session, and for an engine that had to be ended. */
+  /** The file's bytes, for the session and for a new engine. */
   bytes: Uint8Array;
   info: MeshInfo;
 }
 
-/** What is under the mouse, or under the cursor of the keyboard. */
+/** The object under the mouse, or under the keyboard's cursor. */
 export type Under =
   | { kind: 'nothing' }
   | { kind: 'mesh'; place: Place }
@@ -43,14 +43,14 @@ export interface Show {
   comb: boolean;
   worst: boolean;
   colour: Colouring;
-  /** Lengths, written beside the curves. */
+  /** Whether lengths are written beside the curves. */
   lengths: boolean;
 }
 
-/** Curves at a distance from the smoothed ones. */
+/** The offset of the smoothed curves. */
 export interface OffsetSettings {
   on: boolean;
-  /** The number of a curve of the drawing; null: all of them. */
+  /** The number of a curve of the drawing; null: all curves. */
   of: number | null;
   /** Along the surface, mesh units. */
   distance: number;
@@ -70,22 +70,22 @@ export interface Comb {
   tips: Float64Array;
 }
 
-/** The parts of the panel beside which sentences about trouble stand. */
+/** The parts of the panel that sentences about errors stand beside. */
 export type Spot = 'mesh' | 'drawing' | 'settings' | 'offset' | 'cut' | 'files' | 'session';
 
 export interface State {
   mesh: OpenMesh | null;
-  /** Another mesh is being opened: the one that is shown is not to be drawn on. */
+  /** Another mesh is being opened: nothing can be drawn on the shown one. */
   opening: boolean;
   /** Drawings on other meshes, the newest first. */
   asides: Aside[];
-  /** A file that has defects and waits for the person to say "repair". */
+  /** A file with defects, which waits for the user's command to repair it. */
   refused: { name: string; bytes: Uint8Array; info: MeshInfo } | null;
   drawing: Drawing;
   undo: string | null;
   redo: string | null;
-  /** The curves as they were drawn, on the mesh. */
-  /** What `talweg info` tells of the mesh; null until somebody wants to know. */
+  /** The drawn curves on the mesh. */
+  /** The text of `talweg info` about the mesh; null until requested. */
   words: string | null;
   drawn: Line[];
   smoothed: Smoothed | null;
@@ -93,10 +93,10 @@ export interface State {
   leg: Float64Array | null;
   combs: Comb[];
   offset: OffsetSettings;
-  /** What came of it; null while there is none. */
+  /** The result of the offset; null without one. */
   offsets: Offset | null;
   cut: CutResult | null;
-  /** Which part of the cut is kept alone; null: all are there. */
+  /** The part of the cut that is kept alone; null: all parts are shown. */
   kept: number | null;
   lids: boolean;
   chosen: Chosen | null;
@@ -105,10 +105,10 @@ export interface State {
   show: Show;
   busy: { what: string; since: number } | null;
   trouble: Partial<Record<Spot, string>>;
-  /** What has just happened, for those who cannot see it. */
+  /** The last event, for screen readers. */
   told: string;
   onMachine: boolean;
-  /** Another tab keeps its session on this machine, so this one does not. */
+  /** Another tab stores its session on this machine, so this tab does not. */
   otherTab: boolean;
 }
 
@@ -118,7 +118,7 @@ export const emptyDrawing: Drawing = {
   settings: { tau: 1, slack: null, maxDeviation: null, paper: false, ends: 'auto', clickDistance: null },
 };
 
-/** The distance is chosen for the mesh. */
+/** The distance is chosen from the mesh later. */
 export const noOffset: OffsetSettings = { on: false, of: null, distance: 0, side: 'both', caps: 'round' };
 
 export const firstState: State = {
@@ -150,7 +150,7 @@ export const firstState: State = {
   otherTab: false,
 };
 
-/** What a person calls the curve. */
+/** The user's name for the curve, or "Curve" with its number. */
 export function nameOf(curve: Curve): string {
   return curve.name || `Curve ${curve.number}`;
 }
@@ -159,7 +159,7 @@ export function wasClicked(exact: number): boolean {
   return exact >= 0;
 }
 
-/** Slack and largest deviation are for strokes only. */
+/** Whether the drawing has strokes; slack and largest deviation have an effect only on strokes. */
 export function hasStrokes(drawing: Drawing): boolean {
   return drawing.curves.some((curve) => curve.points.some((point) => !wasClicked(point.exact)));
 }

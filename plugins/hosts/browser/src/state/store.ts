@@ -1,5 +1,5 @@
-// The one place where the page's state is kept. Data flows one way: what a person does changes the
-// state, and everything that is seen is made from the state.
+// The store of the page's state. Data flow one way: the user's commands change the state, and the
+// display is made from the state.
 import { firstState, type Spot, type State } from './state';
 
 type Watcher = (now: State, before: State) => void;
@@ -14,7 +14,7 @@ export class Store {
     return this.state;
   }
 
-  /** Replaces these parts. Watchers hear of it once, when everything at hand is done. */
+  /** Replaces these parts. Watchers are called once, after all current changes. */
   set(parts: Partial<State>): void {
     this.state = { ...this.state, ...parts };
     if (this.scheduled) return;
@@ -27,14 +27,14 @@ export class Store {
     watcher(this.state, this.state);
   }
 
-  /** Puts a sentence beside a part of the panel, or takes it away. */
+  /** Sets or removes the sentence beside a part of the panel. */
   trouble(spot: Spot, sentence: string | null): void {
     const { [spot]: old, ...others } = this.state.trouble;
     if ((old ?? null) === sentence) return;
     this.set({ trouble: sentence === null ? others : { ...others, [spot]: sentence } });
   }
 
-  /** Work goes on: what was told before is over, but for what cannot be kept. */
+  /** New work removes the sentences about earlier work, except about storage. */
   goOn(): void {
     const { session } = this.state.trouble;
     if (Object.keys(this.state.trouble).some((spot) => spot !== 'session')) {
@@ -50,7 +50,7 @@ export class Store {
   }
 }
 
-/** Whether one of these parts is another than before. */
+/** Whether one of these parts has changed. */
 export function changed(now: State, before: State, ...parts: (keyof State)[]): boolean {
   return now === before || parts.some((part) => now[part] !== before[part]);
 }

@@ -1,18 +1,18 @@
-// What decides whether the smoothed curves can be used. It stands beside the curve, on the mesh and in
-// the line below it, not only in the report.
+// Decisive warnings about the smoothed curves. The page shows them beside the curve, on the mesh
+// and in the line below it, besides the report.
 import type { CurveReport, Decisive } from '../engine/types';
 import { lengthText, numberText } from './numbers';
 import { nameOf, type State } from './state';
 
 export interface Verdict {
-  /** Its number in the drawing, from 0. */
+  /** The curve's index in the drawing, from 0. */
   curve: number;
   name: string;
   report: CurveReport;
   decisive: Decisive[];
 }
 
-/** Of the curves that have warnings that decide; not of one that is still being drawn. */
+/** Verdicts of all curves with decisive warnings, except an unfinished curve. */
 export function verdicts({ smoothed, drawing }: State): Verdict[] {
   const current = drawing.unfinished ? drawing.curves.length - 1 : -1;
   return (smoothed?.curves ?? []).flatMap(({ report }, curve) => {
@@ -22,13 +22,14 @@ export function verdicts({ smoothed, drawing }: State): Verdict[] {
   });
 }
 
-/** The verdict that comes first: that of the chosen curve, if it has one. */
+/** The first verdict: of the chosen curve, if it has one. */
 export function firstVerdict(state: State): Verdict | null {
   const all = verdicts(state);
   return all.find(({ curve }) => curve === state.chosen?.curve) ?? all[0] ?? null;
 }
 
-/** How far result and drawing lie apart. It is a bound where it was measured through space or not to the end. */
+/** The distance between result and drawing. The text is a bound if the distance was measured
+   through space or not to the end. */
 export function farthestText({ farthest, farthestAtMost }: CurveReport, unit: string): string {
   if (farthest === null) return '–';
   if (farthestAtMost === null) return `≥ ${lengthText(farthest, unit)}`;
@@ -36,7 +37,7 @@ export function farthestText({ farthest, farthestAtMost }: CurveReport, unit: st
   return lengthText(farthest, unit);
 }
 
-/** What lies that far from the other. */
+/** Words for the owner of the farthest place. */
 export const farthestWhat: Record<CurveReport['farthestOf'], string> = {
   none: '',
   result: 'the curve from the drawing',
@@ -44,7 +45,7 @@ export const farthestWhat: Record<CurveReport['farthestOf'], string> = {
   point: 'a point that the curve misses',
 };
 
-/** The names of curves that a bound could not hold. */
+/** The names of curves that exceed the largest deviation. */
 export function beyondBound({ smoothed, drawing }: State): { name: string; report: CurveReport }[] {
   return (smoothed?.curves ?? []).flatMap(({ report }, k) => {
     const curve = drawing.curves[k];

@@ -1,5 +1,5 @@
-// The mesh as it is seen, kept as a picture with its depth: while only curves change, a million faces
-// need not be drawn again.
+// A picture of the mesh with its depth, which is kept, so that a change of curves does not draw a
+// million faces again.
 import {
   DepthTexture, HalfFloatType, Mesh, OrthographicCamera, PlaneGeometry, Scene, ShaderMaterial, UnsignedIntType,
   Vector2, WebGLRenderTarget, type Object3D, type PerspectiveCamera, type WebGLRenderer,
@@ -25,16 +25,16 @@ const fragmentShader = `
   }`;
 
 
-/** A mesh, and a coarser one in its place while the view turns. */
+/** A mesh, and a coarser one for the time while the view turns. */
 export interface Turned {
   whole: Object3D | null;
   coarse: Object3D | null;
-  /** Of the coarser one. */
+  /** Faces of the coarser mesh. */
   faces: number;
 }
 
 export class Backdrop {
-  /** The mesh and its light. */
+  /** The mesh and its lights. */
   readonly scene = new Scene();
   private readonly kept = new WebGLRenderTarget(1, 1, {
     type: HalfFloatType, samples: 4, depthTexture: new DepthTexture(1, 1, UnsignedIntType),
@@ -51,7 +51,8 @@ export class Backdrop {
   private mesh: Turned = { whole: null, coarse: null, faces: 0 };
   private readonly pace: Pace;
 
-  /** `ask` asks for a picture; `wanted`: drawing the mesh takes so long that a coarser one is wanted. */
+  /** `ask` requests a picture; `wanted` requests a coarser mesh, since the whole mesh takes `took`
+     ms. */
   constructor(ask: () => void, private readonly wanted: (took: number) => void) {
     this.sheet.frustumCulled = false;
     const again = () => {
@@ -61,12 +62,12 @@ export class Backdrop {
     this.pace = new Pace(ask, again, (took) => this.wanted(took));
   }
 
-  /** The mesh has changed. */
+  /** The mesh has changed: the next picture draws it again. */
   invalidate(): void {
     this.seenFrom = '';
   }
 
-  /** Another mesh, of which nothing is known. */
+  /** Takes another mesh, whose drawing time is unknown. */
   hold(mesh: Turned): void {
     if (mesh.whole !== this.mesh.whole || mesh.coarse === null) this.pace.reset();
     this.mesh = mesh;
@@ -74,7 +75,7 @@ export class Backdrop {
     this.invalidate();
   }
 
-  /** Draws the mesh, anew only if it is seen from another place. Clears what was there. */
+  /** Draws the mesh, or its kept picture if the view has not changed. Clears the canvas before. */
   draw(renderer: WebGLRenderer, camera: PerspectiveCamera): void {
     const size = renderer.getDrawingBufferSize(new Vector2());
     const from = [...camera.matrixWorld.elements, ...camera.projectionMatrix.elements, size.x, size.y].join();
@@ -103,10 +104,11 @@ export class Backdrop {
     renderer.render(this.scene, camera);
     renderer.setRenderTarget(null);
     if (isCoarse && whole && coarse) [whole.visible, coarse.visible] = [true, false];
-    // Curves lie on the whole mesh: the coarser one steps back by about an edge, so that it hides nothing of them.
+    // Curves lie on the whole mesh: the coarser mesh is moved back by about an edge, so that it
+    // does not hide them.
     this.sheet.material.uniforms.away.value = isCoarse ? 2.4 / Math.sqrt(faces) : 0;
     this.isCoarse = isCoarse;
-    renderer.domElement.dataset.mesh = isCoarse ? 'coarse' : 'whole';  // tests look at it
+    renderer.domElement.dataset.mesh = isCoarse ? 'coarse' : 'whole';  // read by tests
     if (!isCoarse && shown) this.pace.measure(renderer.getContext() as WebGL2RenderingContext);
   }
 }

@@ -1,4 +1,4 @@
-// Where the mesh is looked at from. The view turns freely around a point, as a ball in the hand.
+// The camera. The view turns freely around a point.
 import { PerspectiveCamera, Quaternion, Vector3 } from 'three';
 
 export interface CameraState {
@@ -24,14 +24,14 @@ export class ViewCamera {
     this.place();
   }
 
-  /** The sphere that holds all that is shown. */
+  /** Sets the bounding sphere of everything that is shown. */
   hold(middle: Vector3, radius: number): void {
     this.middle.copy(middle);
     this.radius = radius;
     this.place();
   }
 
-  /** Shows everything, from where it is looked at now. */
+  /** Shows everything, in the present direction. */
   fit(): void {
     const half = (this.three.fov / 2) * (Math.PI / 180);
     const narrow = Math.atan(Math.tan(half) * Math.min(1, this.three.aspect));
@@ -40,7 +40,7 @@ export class ViewCamera {
     this.place();
   }
 
-  /** Looks from a little above and beside, so that a body looks like one. */
+  /** Looks from slightly above and to the side, so that a solid looks solid. */
   lookAslant(): void {
     this.turned.setFromAxisAngle(new Vector3(0, 1, 0), 0.5);
     this.turned.multiply(new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), -0.35));
@@ -61,7 +61,7 @@ export class ViewCamera {
     this.place();
   }
 
-  /** Moves what is at the target by so many pixels. */
+  /** Moves the target by so many pixels. */
   pan(dx: number, dy: number): void {
     const step = this.perPixel(this.distance);
     const by = new Vector3(-dx * step, dy * step, 0).applyQuaternion(this.turned);
@@ -69,7 +69,7 @@ export class ViewCamera {
     this.place();
   }
 
-  /** Goes nearer (factor < 1) or farther; what is under the pixel (x, y) stays there. */
+  /** Zooms in (factor < 1) or out; the place under the pixel (x, y) stays there. */
   zoom(factor: number, x = this.width / 2, y = this.height / 2): void {
     const next = Math.min(Math.max(this.distance * factor, this.radius * 1e-4), this.radius * 100);
     const step = this.perPixel(this.distance) - this.perPixel(next);
@@ -88,7 +88,7 @@ export class ViewCamera {
     this.place();
   }
 
-  /** How long a pixel is in the mesh's unit, at this distance from the eye. */
+  /** The length of a pixel at this distance from the eye, mesh units. */
   perPixel(distance: number): number {
     return (2 * distance * Math.tan((this.three.fov / 2) * (Math.PI / 180))) / this.height;
   }
@@ -112,7 +112,8 @@ export class ViewCamera {
     const camera = this.three;
     camera.quaternion.copy(this.turned);
     camera.position.set(0, 0, this.distance).applyQuaternion(this.turned).add(this.target);
-    // The planes lie close around what is shown: depth is for telling curves from the mesh.
+    // The planes are close to the shown objects, so that the depth buffer separates curves from the
+    // mesh.
     const away = camera.position.distanceTo(this.middle);
     camera.near = Math.max(away - 1.05 * this.radius, this.distance * 0.02, this.radius * 1e-5);
     camera.far = Math.max(away + 1.05 * this.radius, 2 * camera.near);

@@ -1,10 +1,11 @@
-// A worker that makes a coarser mesh on some of the vertices, to be seen while the view turns.
+// A worker that makes a coarser mesh on a subset of the vertices, for the time while the view
+// turns.
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 
 export interface CoarseRequest {
   positions: Float32Array;
   index: Uint32Array;
-  /** About so many triangles are wanted. */
+  /** The approximate number of triangles. */
   faces: number;
 }
 

@@ -1,4 +1,5 @@
-// The colours of the view, for a light and a dark page. All are told apart without seeing hues.
+// The colours of the view, for a light and a dark page. They differ in brightness, too, for
+// colour-blind users.
 import { Color } from 'three';
 
 export interface Colours {
@@ -49,14 +50,14 @@ export function coloursFor(isDark: boolean): Colours {
   return isDark ? dark : light;
 }
 
-// Okabe and Ito's colours, which colour-blind people tell apart, in a light tint.
+// The colours of Okabe and Ito, which colour-blind people can distinguish, in a light tint.
 const sides = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#d55e00', '#cc79a7', '#8aa0ff', '#b0b7bd'];
 
 export function sideColour(part: number): string {
   return sides[part % sides.length];
 }
 
-// Viridis and a blue - grey - red scale, at equal steps.
+// Viridis, and a scale from blue over grey to red, at equal steps.
 const growing = ['#440154', '#414487', '#2a788e', '#22a884', '#7ad151', '#fde725'].map(colour);
 const twoWays = ['#2166ac', '#67a9cf', '#d8dcdf', '#ef8a62', '#b2182b'].map(colour);
 

@@ -1,4 +1,5 @@
-// Combs: teeth across the curves, as long as the curve turns there, and a line over their tips.
+// Combs: teeth across the curves, with lengths proportional to the curvature, and a line over their
+// tips.
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, LineSegments } from 'three';
 import type { Comb } from '../state/state';
 import { dispose } from './fat_line';

@@ -1,4 +1,4 @@
-// The curves on the mesh: as drawn, as smoothed, with colours along them, and the next leg.
+// The curves on the mesh: drawn and smoothed curves, colours along them, and the next leg.
 import { Color, Group } from 'three';
 import type { Line2 } from 'three/examples/jsm/lines/Line2.js';
 import type { Line } from '../engine/types';
@@ -15,22 +15,22 @@ export interface Range {
 }
 
 /**
- * How far the drawing is from the curves at its points, while this is a colour: parts that were cut off
- * have it where the curves have none.
+ * The distances of the drawing's points from the curves, if they are coloured by deviation: parts
+ * of the drawing that were cut off have no curve that could show the distance.
  */
 export function drawnDistances({ drawn, smoothed, show }: State): Float64Array[] {
   if (show.colour !== 'deviation' || !smoothed) return [];
   return drawn.map((line, k) => (smoothed.curves[k] ? distancesTo(line, smoothed.curves[k]) : new Float64Array()));
 }
 
-/** What turning and deviation are at most, over all curves; null where nothing was measured. */
+/** The largest turning or deviation over all curves; null if none was measured. */
 export function rangeOf(curves: Line[], colour: Colouring, more: Float64Array[] = []): Range | null {
   if (colour === 'plain') return null;
   const values = [...curves.map((curve) => curve[colour]), ...more].flatMap((some) => Array.from(some))
     .filter(Number.isFinite);
   if (values.length === 0) return null;
   if (colour === 'deviation') return { from: 0, to: values.reduce((a, b) => Math.max(a, b)) };
-  // A few sharp corners would leave all else grey: the scale ends where 95 of 100 points are.
+  // The scale ends at the 95th percentile: otherwise a few sharp corners would leave all else grey.
   const sizes = values.map(Math.abs).sort((a, b) => a - b);
   const most = sizes[Math.floor(0.95 * (sizes.length - 1))] || sizes[sizes.length - 1];
   return { from: -most, to: most };
@@ -46,7 +46,7 @@ export class CurveView {
     stage.scene.add(this.drawnGroup, this.resultGroup, this.offsetGroup);
   }
 
-  /** `distances`: of each curve at its points, for colours in this range. */
+  /** `distances`: for each curve at its points, coloured in this range. */
   showDrawn(curves: Line[], distances: Float64Array[], range: Range | null): void {
     empty(this.drawnGroup);
     curves.forEach((curve, k) => {
@@ -64,7 +64,7 @@ export class CurveView {
       if (curve.positions.length < 6) return;
       const width = chosen?.curve === index ? 5.5 : 4;
       const plain = { colour: this.stage.colours.result, width };
-      // The far side shimmers through, so that loops are seen as loops.
+      // The far side is drawn faintly, so that loops are recognizable.
       const behind = fatLine(curve.positions, curve.closed,
         { ...plain, width: 2, opacity: 0.16, through: true });
       behind.renderOrder = 2;

@@ -1,7 +1,8 @@
-// How far the points of one line are from another, through space: at least as far as along the surface.
+// Distances of the points of one line from another, through space: lower bounds of the distances
+// along the surface.
 import type { Line } from '../engine/types';
 
-/** Of each point of `from`; empty where `to` has no points. */
+/** The distance of each point of `from`; empty if `to` has no points. */
 export function distancesTo(from: Line, to: Line): Float64Array {
   const count = to.positions.length / 3;
   if (count === 0) return new Float64Array();

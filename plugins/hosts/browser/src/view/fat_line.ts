@@ -1,4 +1,4 @@
-// A line of some pixels' width that lies on the mesh.
+// A line on the mesh with a width in pixels.
 import { Color, type Object3D } from 'three';
 import { Line2 } from 'three/examples/jsm/lines/Line2.js';
 import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
@@ -10,9 +10,9 @@ export interface LineLook {
   dashed?: boolean;
   /** 1: opaque. */
   opacity?: number;
-  /** Is seen through the mesh. */
+  /** Whether it is drawn through the mesh. */
   through?: boolean;
-  /** One colour per point instead. */
+  /** A colour for each point instead. */
   colours?: Color[];
 }
 
@@ -40,7 +40,7 @@ export function fatLine(positions: ArrayLike<number>, closed: boolean, look: Lin
   return line;
 }
 
-/** Sets dashes of some pixels, which are lengths in the mesh's unit. */
+/** Sets the lengths of dashes, given in pixels, in the mesh's unit. */
 export function setDashes(line: Line2, perPixel: number): void {
   line.material.dashSize = 7 * perPixel;
   line.material.gapSize = 5 * perPixel;

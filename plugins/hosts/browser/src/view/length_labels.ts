@@ -1,5 +1,5 @@
-// Labels with the lengths of curves. Each stands beside its curve where that is seen, and stays there
-// as long as it is.
+// Labels with the lengths of curves. Each stands beside a visible place of its curve, and stays
+// there while the place is visible.
 import type { Vec3 } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { lengthText } from '../state/numbers';
@@ -7,10 +7,10 @@ import { unitOf } from '../state/units';
 import type { Mark } from './overlay';
 import { at } from './vectors';
 
-/** So many places of a curve are tried. */
+/** Number of places of a curve that are tried. */
 const tries = 12;
 
-/** Of the smoothed curves, with their names where there are several, and of their offset. */
+/** Labels of the smoothed curves, with names if there are several, and of their offset. */
 export function lengthLabels(state: State): Mark[] {
   const { smoothed, offsets, drawing, show } = state;
   if (!show.lengths) return [];
@@ -24,7 +24,7 @@ export function lengthLabels(state: State): Mark[] {
   ].filter(({ places }) => places.length > 0);
 }
 
-/** Points all along a curve, from its middle outwards, each with the next one. */
+/** Points along a curve, from its middle outwards, each with the next point. */
 function spread(positions: Float64Array): { places: Vec3[]; ahead: Vec3[] } {
   const legs = positions.length / 3 - 1;
   const found = Array.from({ length: tries }, (_, k) => {

@@ -1,4 +1,4 @@
-// The mesh as a lit body; after a cut, its parts in colours.
+// The mesh as a lit solid; after a cut, its parts in colours.
 import {
   Box3, BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshStandardMaterial, Raycaster, Sphere,
 } from 'three';
@@ -22,16 +22,17 @@ export class MeshView {
     stage.backdrop.scene.add(this.body, this.coarse, this.parts);
     this.parts.visible = false;
     this.body.visible = false;
-    // Everything is in view as a rule, and a million faces need no second box.
+    // Everything is usually in view, and a million faces need no second bounding box.
     this.body.frustumCulled = false;
     this.coarse.frustumCulled = false;
     this.coarse.visible = false;
     stage.onSlow = (took) => void this.makeCoarse(took);
     this.parts.frustumCulled = false;
-    stage.onColours((colours) => this.plain.color.set(colours.mesh));  // the stage draws anew
+    stage.onColours((colours) => this.plain.color.set(colours.mesh));  // the stage draws again by
+                                                                       // itself
   }
 
-  /** Shows another mesh; null: none. */
+  /** Shows another mesh; null: no mesh. */
   show(shape: Shape | null): void {
     this.body.geometry.dispose();
     this.coarse.geometry.dispose();
@@ -63,7 +64,7 @@ export class MeshView {
     this.stage.backdrop.hold({ whole: this.body, coarse: this.coarse, faces });
   }
 
-  /** Shows the parts of a cut mesh in colours; null: the mesh as it was. */
+  /** Shows the parts of a cut mesh in colours; null: the whole mesh. */
   showCut(cut: CutResult | null): void {
     this.parts.geometry.dispose();
     this.parts.geometry = cut ? partsGeometry(cut) : new BufferGeometry();
@@ -74,7 +75,7 @@ export class MeshView {
     this.stage.ask();
   }
 
-  /** The part of a cut mesh that a ray meets first; null: none. Asked only for clicks: O(faces). */
+  /** The part of a cut mesh that a ray meets first; null: none. O(faces), for clicks only. */
   partAt(ray: Raycaster): number | null {
     const hit = this.cut ? ray.intersectObject(this.parts, false)[0] : undefined;
     return hit?.faceIndex === undefined || hit.faceIndex === null ? null : (this.cut?.side[hit.faceIndex] ?? null);
@@ -82,14 +83,14 @@ export class MeshView {
 }
 
 function surface(options: object): MeshStandardMaterial {
-  // The offset lets curves lie on the mesh without sinking into it.
+  // The depth offset keeps curves on the mesh from sinking into it.
   return new MeshStandardMaterial({
     roughness: 0.62, metalness: 0, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2,
     ...options,
   });
 }
 
-/** Each face has corners of its own, in its part's colour. */
+/** Each face has its own corners, in the colour of its part. */
 function partsGeometry(cut: CutResult): BufferGeometry {
   const { triangles, positions, side } = cut;
   const places = new Float32Array(3 * triangles.length);

@@ -1,18 +1,19 @@
-// What lies over the canvas at places of the mesh: the keyboard's cursor, where curves deviate most, and
-// lengths. These are elements of the page, sharp at every size.
+// Marks over the canvas at places of the mesh: the keyboard's cursor, largest deviations, and
+// lengths. Marks are elements of the page, sharp at every size.
 import type { Vec3 } from '../engine/types';
 import type { Stage } from './stage';
 
 export interface Mark {
-  /** With `ahead` the first of these that will do is taken; without there is one. */
+  /** With `ahead` the mark takes the first suitable place; without, there is one place. */
   places: Vec3[];
-  /** Of each the next place of a curve, beside which the text stands; else the text is to the right. */
+  /** For each place the next place on the curve, so that the text stands beside the curve; without,
+     the text is to the right. */
   ahead?: Vec3[];
   text: string;
 }
 
 interface Placed extends Mark {
-  /** Which place it has; it stays there while that is seen. */
+  /** The index of its place, which stays while the place is visible. */
   now: number;
   label: HTMLElement | null;
 }
@@ -25,7 +26,7 @@ interface Pixel {
   y: number;
 }
 
-/** Where a label is on the screen. */
+/** The rectangle of a label on the screen. */
 interface Box extends Pixel {
   width: number;
   height: number;
@@ -34,13 +35,13 @@ interface Box extends Pixel {
 export class Overlay {
   private placed = new Map<HTMLElement, Placed>();
 
-  /** `isSeen`: whether nothing lies before a place. */
+  /** `isSeen`: whether a place is visible. */
   constructor(private readonly stage: Stage, private readonly box: HTMLElement,
               private readonly isSeen: (place: Vec3) => boolean) {
     stage.afterEach(() => this.follow());
   }
 
-  /** Marks of a class, each with a text beside it, in place of those that were there. */
+  /** Replaces the marks of a class; each mark has a text beside it. */
   mark(name: string, marks: Mark[]): void {
     for (const element of [...this.placed.keys()].filter((e) => e.classList.contains(name))) {
       this.placed.delete(element);
@@ -72,11 +73,12 @@ export class Overlay {
     }
   }
 
-  /** Puts a label beside the first place that is seen and where no other label is; null: there is none. */
+  /** Puts a label beside the first visible place that is free of other labels; null: there is
+     none. */
   private besideCurve(placed: Placed, taken: Box[]): Pixel | null {
     const { places, ahead, label } = placed;
     if (!label || !ahead) return null;
-    label.parentElement!.hidden = false;  // only what is shown has a size
+    label.parentElement!.hidden = false;  // a hidden element has no size
     const width = label.offsetWidth, height = label.offsetHeight;
     for (let k = 0; k < places.length; ++k) {
       const next = (placed.now + k) % places.length;
@@ -95,7 +97,7 @@ export class Overlay {
   }
 }
 
-/** A box of this size on the lower side of a line that goes from a pixel to another. */
+/** A box of this size on the lower side of a line between two pixels. */
 function boxBeside(at: Pixel, to: Pixel, width: number, height: number): Box {
   const dx = to.x - at.x, dy = to.y - at.y, length = Math.hypot(dx, dy) || 1;
   const sign = dx < 0 ? -1 : 1, across = { x: (-sign * dy) / length, y: (sign * dx) / length };

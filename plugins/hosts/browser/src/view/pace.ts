@@ -1,12 +1,13 @@
-// The pace of drawing: how long the graphics card takes for the mesh, and whether the view moves.
+// The pace of drawing: the time of the graphics card for the mesh, and whether the view moves.
 
-/** Frames that take longer do not follow a hand. */
+/** Milliseconds; slower frames lag behind the mouse. */
 const patience = 50;
-/** A view that has not moved for so long rests; where the whole mesh takes longer than that, for so long. */
+/** Milliseconds without movement after which the view rests. If the whole mesh takes longer, its
+   drawing time, up to the second value. */
 const rest = 180, longestRest = 2000;
 
 export class Pace {
-  /** Whether drawing the whole mesh takes too long; false until this is known. */
+  /** Whether drawing the whole mesh takes too long; false until measured. */
   isSlow = false;
   private movedAt = -Infinity;
   private timer = 0;
@@ -14,11 +15,12 @@ export class Pace {
   private measured = 0;
   private took = 0;
 
-  /** `onRest`: the view has come to rest. `again`: draws anew. `onSlow`: drawing takes too long, and how long. */
+  /** `onRest`: the view has come to rest. `again`: draws again. `onSlow`: drawing takes too long,
+     with its time in ms. */
   constructor(private readonly onRest: () => void, private readonly again: () => void,
               private readonly onSlow: (took: number) => void) {}
 
-  /** Another mesh: nothing is known of it. */
+  /** Another mesh: its drawing time is unknown. */
   reset(): void {
     ++this.round;
     this.measured = this.took = 0;
@@ -30,7 +32,8 @@ export class Pace {
     this.settle();
   }
 
-  /** Waits until the view rests. The wait becomes longer where drawing turns out to be slower meanwhile. */
+  /** Waits until the view rests. The wait becomes longer if a slower drawing time is measured
+     meanwhile. */
   private settle(): void {
     clearTimeout(this.timer);
     const left = this.movedAt + this.rest - performance.now();
@@ -46,7 +49,7 @@ export class Pace {
     return Math.min(longestRest, Math.max(rest, this.took));
   }
 
-  /** Measures what has just been asked of the card: it tells when it is done. */
+  /** Measures the drawing that was just requested: the graphics card reports its end. */
   measure(context: WebGL2RenderingContext): void {
     const round = this.round, began = performance.now();
     const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -67,7 +70,7 @@ export class Pace {
 
   private take(took: number): void {
     const was = this.isSlow;
-    // The first time the card gets the mesh, too, which it has from then on.
+    // The first drawing includes the transfer of the mesh to the graphics card.
     if (++this.measured === 1 && took > patience) {
       this.again();
       return;

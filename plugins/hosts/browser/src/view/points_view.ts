@@ -1,5 +1,5 @@
-// The points of the drawing: discs for clicks, squares for pins, dots for strokes, a ring around the
-// point that closes the curve. Shapes tell what colours tell, too.
+// The points of the drawing: discs for clicks, squares for pins, dots for strokes, a ring around
+// the point that closes the curve. Shapes repeat the meaning of colours.
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
 import type { Drawing, MeshInfo } from '../engine/types';
 import { type Chosen, wasClicked } from '../state/state';
@@ -11,13 +11,13 @@ const vertexShader = `
   attribute float shape;
   attribute vec3 fill;
   uniform float ratio;
-  uniform float perPixel;  // of a place at distance 1
+  uniform float perPixel;  // size of a pixel at distance 1
   varying float vShape;
   varying vec3 vFill;
   varying float vSize;
   void main() {
     vec4 place = modelViewMatrix * vec4(position, 1.0);
-    // Half a disc towards the eye, so that the mesh does not cut it.
+    // Moved half a disc towards the eye, so that the mesh does not cut the disc.
     place.xyz += normalize(-place.xyz) * (-place.z) * perPixel * size * 0.6;
     gl_Position = projectionMatrix * place;
     gl_PointSize = size * ratio;

@@ -1,4 +1,4 @@
-// The stage holds the canvas, the light and the camera, and draws only when something has changed.
+// The stage has the canvas, the light and the camera, and draws only after a change.
 import {
   Color, DirectionalLight, Group, HemisphereLight, Raycaster, Scene, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
@@ -10,11 +10,12 @@ import { coloursFor, type Colours } from './colours';
 export class Stage {
   readonly camera = new ViewCamera();
   readonly backdrop = new Backdrop(() => this.ask(), (took) => this.onSlow(took));
-  /** Drawing the mesh takes so many ms that a coarser one is wanted while it turns. */
+  /** Called with the drawing time, ms, if it is so long that a coarser mesh is wanted while the
+     view turns. */
   onSlow: (took: number) => void = () => {};
-  /** What lies on the mesh. */
+  /** Objects on the mesh. */
   readonly scene = new Scene();
-  /** What turns with the eye: the light comes over the left shoulder. */
+  /** Objects that turn with the camera: the light comes over the left shoulder. */
   private readonly lights = new Group();
   private readonly renderer: WebGLRenderer;
   private readonly dark = matchMedia('(prefers-color-scheme: dark)');
@@ -22,7 +23,7 @@ export class Stage {
   private afterwards: (() => void)[] = [];
   private recoloured: ((colours: Colours) => void)[] = [];
 
-  /** Throws Error where the browser has no WebGL 2. */
+  /** Throws Error if the browser has no WebGL 2. */
   constructor(private readonly box: HTMLElement, canvas: HTMLCanvasElement) {
     if (!hasWebGL2()) {
       throw new Error('this browser has no WebGL 2, or has it off, and draws no meshes. Turn on "hardware '
@@ -51,25 +52,25 @@ export class Stage {
     return coloursFor(this.dark.matches);
   }
 
-  /** Asks for a new picture before the next time the screen is drawn. */
+  /** Requests a new picture for the next frame. */
   ask(): void {
     if (this.asked) return;
     this.asked = true;
     requestAnimationFrame(() => this.draw());
   }
 
-  /** Called after every picture: what lies over the canvas follows. */
+  /** Adds a task after every picture: marks over the canvas follow the view. */
   afterEach(task: () => void): void {
     this.afterwards.push(task);
   }
 
-  /** Called now, and when the page becomes dark or light. */
+  /** Calls the task now, and when the page becomes dark or light. */
   onColours(task: (colours: Colours) => void): void {
     this.recoloured.push(task);
     task(this.colours);
   }
 
-  /** Where a position is on the canvas, in its pixels; null behind the eye. */
+  /** The place of a position on the canvas, in its pixels; null behind the eye. */
   onScreen(position: Vec3): { x: number; y: number; distance: number } | null {
     const p = new Vector3(...position);
     const distance = p.distanceTo(this.camera.three.position);
@@ -78,7 +79,7 @@ export class Stage {
     return { x: ((p.x + 1) / 2) * this.camera.width, y: ((1 - p.y) / 2) * this.camera.height, distance };
   }
 
-  /** Whether a position is on the canvas, not just at its rim. */
+  /** Whether a position is on the canvas, and not at its rim. */
   isInView(position: Vec3): boolean {
     const p = this.onScreen(position);
     const rim = 20;
@@ -86,7 +87,7 @@ export class Stage {
       && Math.abs(2 * p.y - this.camera.height) < this.camera.height - 2 * rim;
   }
 
-  /** The way from the eye through a pixel. */
+  /** The ray from the eye through a pixel. */
   rayAt(x: number, y: number): Raycaster {
     const caster = new Raycaster();
     const pixel = new Vector2((2 * x) / this.camera.width - 1, 1 - (2 * y) / this.camera.height);
@@ -94,7 +95,7 @@ export class Stage {
     return caster;
   }
 
-  /** A picture of what is seen, as PNG. */
+  /** The view as a PNG picture. */
   picture(): Promise<Blob> {
     this.draw();
     return new Promise((resolve, reject) => {
@@ -116,7 +117,7 @@ export class Stage {
 
   private resize(): void {
     const width = Math.max(1, this.box.clientWidth), height = Math.max(1, this.box.clientHeight);
-    // More than two pixels per pixel are not seen, and cost much on phones.
+    // A higher ratio is not visible, and slow on phones.
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
     this.camera.resize(width, height);

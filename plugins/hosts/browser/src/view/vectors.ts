@@ -1,4 +1,4 @@
-// Points in space as three numbers, and what faces and barycentric coordinates make of them.
+// Vectors of three numbers, and points of faces from barycentric coordinates.
 import type { MeshInfo, Vec3 } from '../engine/types';
 
 export function minus(a: Vec3, b: Vec3): Vec3 {
@@ -31,7 +31,7 @@ export function barycentricOf(mesh: MeshInfo, face: number, position: Vec3): Vec
   const bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
   const pb = dot(ap, ab), pc = dot(ap, ac);
   const area = bb * cc - bc * bc;
-  // A face without area is as good as its first corner.
+  // In a face without area every point is the first corner.
   if (!(area > 0)) return [1, 0, 0];
   const v = Math.max(0, (cc * pb - bc * pc) / area);
   const w = Math.max(0, (bb * pc - bc * pb) / area);

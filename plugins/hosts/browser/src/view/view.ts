@@ -1,4 +1,4 @@
-// The view makes a picture of the state.
+// The view shows the state.
 import { Vector3 } from 'three';
 import type { Vec3 } from '../engine/types';
 import type { Picker } from '../pick/picker';
@@ -82,14 +82,14 @@ export class View {
   }
 }
 
-/** Where each curve and its drawing are farthest apart. */
+/** The farthest place between each curve and its drawing. */
 function worstPlaces(state: State) {
   if (!state.show.worst || !state.smoothed) return [];
   return state.smoothed.curves.flatMap(({ report }) => report.worst
     ? [{ places: [report.worst], text: farthestText(report, unitOf(state)) }] : []);
 }
 
-/** The places of what decides whether a curve can be used; of several warnings at one place one. */
+/** The places of decisive warnings, one mark for several warnings at a place. */
 function alarmPlaces(state: State) {
   const unit = unitOf(state);
   const marks = new Map<string, Mark>();

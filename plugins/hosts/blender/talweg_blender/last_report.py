@@ -1,5 +1,5 @@
-"""What the last button did to a mesh, for the sidebar: while Blender draws a changed mesh anew, the
-time is up for which the status bar shows it."""
+"""The report of the last change of a mesh, for the sidebar: Blender may take longer to draw a changed mesh
+than the status bar shows the report."""
 
 import bpy
 
@@ -7,18 +7,18 @@ from . import wrapped
 
 
 class _Last:
-    object = ""  # its name; empty: nothing is told
+    object = ""  # the object's name; empty: there is no report
     done = ""
     warnings = ()
 
 
 def note(name, done, warnings):
-    """Of the object with this name."""
+    """Keeps the report of a change of the object with this name."""
     _Last.object, _Last.done, _Last.warnings = name, done, tuple(warnings)
 
 
 def of(obj):
-    """What was done, and warnings; nothing of other objects."""
+    """The sentence and the warnings of the report; empty if it belongs to another object."""
     return (_Last.done, _Last.warnings) if obj is not None and obj.name == _Last.object else ("", ())
 
 

@@ -1,4 +1,5 @@
-"""Curve objects remember what they were made of: values move without the mesh, also tomorrow."""
+"""Curve objects store their drawing and values: a change of a value smooths the curve again, also in a later
+session."""
 
 import json
 import tempfile
@@ -8,7 +9,7 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import again, colours, drawings, operators, page, session
+from talweg_blender import colours, drawings, operators, page, resmoothing, session
 from talweg_blender.package import talweg
 
 import scene
@@ -82,7 +83,7 @@ class Again(unittest.TestCase):
         np.testing.assert_allclose(start, scene.vertices_of(self.obj)[support.staircase()[0]], atol=0.3)
 
     def test_modifiers_that_are_not_seen_now(self):
-        """The curve does not jump onto the mesh without them."""
+        """The curve stays on the modified mesh while the modifiers are not shown."""
         bpy.ops.object.mode_set(mode="OBJECT")
         self.obj.modifiers.new("Fine", "SUBSURF")
         scene.annotate([scene.vertices_of(self.obj)[support.staircase()]])
@@ -97,7 +98,7 @@ class Again(unittest.TestCase):
         self.assertEqual(report(curve)["tau"], 5)
 
     def test_tomorrow(self):
-        """After saving and loading the values and the drawing are there, and give the same curve."""
+        """A saved and loaded file has the values and the drawing, and gives the same curve."""
         curve = self.made(tau=2.5, thickness=0.5)
         before, name = scene.spline_points(curve), curve.name
         with tempfile.TemporaryDirectory() as folder:
@@ -108,7 +109,7 @@ class Again(unittest.TestCase):
             bpy.ops.wm.open_mainfile(filepath=path)
         curve = bpy.data.objects[name]
         self.assertEqual((curve.talweg.tau, curve.talweg.thickness), (2.5, 0.5))
-        self.assertIn(f"Curvature {report(curve)['curvature_before']:.3g}", again.numbers(bpy.context, curve))
+        self.assertIn(f"Curvature {report(curve)['curvature_before']:.3g}", resmoothing.numbers(bpy.context, curve))
         curve.talweg.tau = 0
         self.assertEqual(report(curve)["tau"], 0)
         curve.talweg.tau = 2.5
@@ -151,7 +152,7 @@ class Again(unittest.TestCase):
         self.assertEqual(len([o for o in bpy.data.objects if o.type == "CURVE"]), 1)
 
     def test_turning_of_a_circle_is_its_curvature(self):
-        """On a plane a circle of radius 10 turns by a tenth of a radian for each unit."""
+        """On a plane a circle of radius 10 turns by a tenth of a radian per unit."""
         t = np.linspace(0, 2 * np.pi, 200, endpoint=False)
         circle = talweg.Curve(positions=np.stack([10 * np.cos(t), 10 * np.sin(t), 0 * t], -1), closed=True,
                               fields={"curvature": np.full(200, 2 * np.pi / 200)})
@@ -195,7 +196,7 @@ class Drawings(unittest.TestCase):
     def test_several_objects_in_edit_mode(self):
         other = scene.add_mesh(*support.torus(), name="Ring")
         self.obj.select_set(True)
-        scene.select_edges(self.obj, support.staircase())  # both are edited
+        scene.select_edges(self.obj, support.staircase())  # both objects are in edit mode
         self.assertEqual(other.mode, "EDIT")
         bm = bmesh.from_edit_mesh(other.data)
         bm.verts.ensure_lookup_table()
@@ -205,7 +206,7 @@ class Drawings(unittest.TestCase):
         bmesh.update_edit_mesh(other.data)
         self.assertEqual(bpy.ops.talweg.smooth_edges(), {"FINISHED"})
         self.assertEqual({one.parent.name for one in curve_objects()}, {"Mesh", "Ring"})
-        # One of them is refused; the other's curve is there all the same.
+        # One drawing is refused; the other curve is made.
         for one in curve_objects():
             bpy.data.objects.remove(one)
         bm = bmesh.from_edit_mesh(other.data)
@@ -273,7 +274,7 @@ class Drawings(unittest.TestCase):
         self.assertAlmostEqual(session.last_result().curve.positions[0][1], 30, places=1)
 
     def test_a_mesh_of_another_file(self):
-        """Curves can be drawn on it; only the mesh itself cannot be changed."""
+        """Curves can be drawn on a mesh of a library; only the mesh itself cannot be changed."""
         with tempfile.TemporaryDirectory() as folder:
             path = str(Path(folder) / "other.blend")
             bpy.data.libraries.write(path, {self.obj}, fake_user=True)
@@ -294,7 +295,7 @@ class Drawings(unittest.TestCase):
 
 
 class Repaired(unittest.TestCase):
-    """A mesh with one face turned: 3 edges keep all others from being worked on."""
+    """A mesh with one inverted face, which has 3 wrong edges and is refused unrepaired."""
 
     def setUp(self):
         scene.empty()

@@ -1,5 +1,5 @@
-"""A curve object whose values are changed is smoothed again: only the curve changes, and no undo step
-of the mesh is made for it."""
+"""Smooths the drawing of a curve object again when a user changes one of its values. Only the curve object
+changes; the mesh gets no undo step."""
 
 import bpy
 
@@ -8,14 +8,19 @@ from . import wrapped
 from .naming import named
 from .package import talweg
 
-#: Who has a curve object in hand, and smooths it in another way: functions (context, curve) -> bool.
+#: Functions (context, curve) -> bool. A function returns True if it smooths the curve itself, as the drawing
+#: tool does while it edits the curve.
 others = []
 
-_wrong = {}  # by the name of the curve object: why a value could not be taken
+_wrong = {}  # from the name of a curve object to the error that its last value led to
 
 
 def smooth(context, curve, trust=True):
-    """The Surface and the talweg.Result, which the object shows now; raises talweg.Error."""
+    """Smooths the drawing of a curve object and shows the result.
+
+    :returns: the Surface and the talweg.Result.
+    :raises talweg.Error: if the drawing or a value is refused.
+    """
     kept, obj = settings.of(curve), curve.parent
     if kept.as_shown and session.is_changed(obj) and (obj.mode != "OBJECT" or not obj.visible_get()):
         raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers, which are seen only in "
@@ -68,18 +73,19 @@ class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
 
 
 def numbers(context, curve):
-    """What is said of the curve that is shown; nothing where there is none yet."""
+    """The numbers of the shown result as a sentence; empty before the first result."""
     values = curve_object.report_of(curve)
     return sentences.of_report(context, values) if values else ""
 
 
 def icon(curve):
-    """Of its row: whether the curve may be of no use."""
+    """The icon of the curve's row: ERROR if its result may be of no use."""
     return "ERROR" if sentences.decisive_of(curve_object.report_of(curve)) else "CURVE_DATA"
 
 
 def draw_decisive(layout, curve):
-    """First in the sidebar, before buttons and fields, which may be longer than it is."""
+    """Draws the decisive warnings as a box. The sidebar has the box at its top, since buttons and fields may
+    be higher than the sidebar."""
     lines = sentences.decisive_of(curve_object.report_of(curve))
     if lines and curve.name not in _wrong:
         box = layout.box()
@@ -88,7 +94,7 @@ def draw_decisive(layout, curve):
 
 
 def _colours(context, curve):
-    """What dark and bright are."""
+    """The legend of the colours: the values of the darkest and the brightest."""
     most = curve["talweg_range"]
     if settings.of(curve).colours == "DEVIATION":
         return f"Dark to bright: 0 to {lengths.told(context, most)}"
