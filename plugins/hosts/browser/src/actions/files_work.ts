@@ -70,7 +70,7 @@ export class FilesWork {
 
   /** Empty without a mesh. */
   command(): string {
-    const { mesh, offset, offsets } = this.desk.store.now;
+    const { mesh, drawing: { offset }, offsets } = this.desk.store.now;
     return mesh ? this.desk.engine.command(offsets && offset.of === null ? offset : null) : '';
   }
 

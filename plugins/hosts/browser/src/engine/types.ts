@@ -30,6 +30,9 @@ export interface Curve {
 /** What becomes of curves that are not closed: a painted stroke that comes back is a loop, all are, none. */
 export type Ends = 'auto' | 'closed' | 'open';
 
+/** Ridges, which stand out; valleys; both. */
+export type RidgeKind = 'both' | 'convex' | 'concave';
+
 export interface Settings {
   tau: number;
   /** null: the method's default. */
@@ -41,6 +44,20 @@ export interface Settings {
   ends: Ends;
   /** Successive clicks at most so far apart are one; null: the method's default. */
   clickDistance: number | null;
+  /** 0 to 1: how strongly ridges attract the drawing. */
+  ridges: number;
+  ridgeKind: RidgeKind;
+}
+
+/** Curves at a distance from the smoothed ones. */
+export interface OffsetSettings {
+  on: boolean;
+  /** The number of a curve of the drawing; null: all of them. */
+  of: number | null;
+  /** Along the surface, mesh units; above 0 while it is on. */
+  distance: number;
+  side: Side;
+  caps: Caps;
 }
 
 export interface Drawing {
@@ -48,6 +65,7 @@ export interface Drawing {
   /** The last curve is still being drawn. */
   unfinished: boolean;
   settings: Settings;
+  offset: OffsetSettings;
 }
 
 /** An opened mesh. The arrays are for showing it; picked faces are those of `triangles`. */
@@ -97,6 +115,19 @@ export interface Repaired {
   changes: string[];
 }
 
+/** What ridges did to a drawing. */
+export interface RidgeReport {
+  /** The part of its length that was moved onto ridges, 0 to 1, and by how much. */
+  moved: number;
+  farthest: number;
+  /** The part that lay on ridges as it was drawn. */
+  already: number;
+  clicks: number;
+  farthestClick: number;
+  /** How far from the drawing ridges were looked for. */
+  band: number;
+}
+
 export interface CurveReport {
   length: number;
   drawnLength: number;
@@ -114,6 +145,8 @@ export interface CurveReport {
   termination: string;
   warnings: string[];
   decisive: Decisive[];
+  /** null: ridges were not to attract the drawing. */
+  ridges: RidgeReport | null;
   /** Where the farthest is. */
   worst: Vec3 | null;
 }
