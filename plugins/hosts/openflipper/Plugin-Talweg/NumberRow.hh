@@ -24,6 +24,7 @@ class NumberRow : public QObject {
   struct Texts {
     QString name;  ///< of the widgets, which get "Slider", "Box" and "Tick" behind it
     QString label, tip, unit;
+    double most = 1e9;  ///< that the box takes
   };
   /// Takes the next row of the grid, so that sliders of several rows begin and end together. Slider
   /// positions are spaced by the square, so that small values have room. `optional`: with a tick.
