@@ -70,7 +70,9 @@ class Departures {
         result.points.front() == result.points.back()) {
       result.points.pop_back();
     }
-    moves.moved = std::min(1.0, left_ / curve_length(mesh_->surface(), *curve_));
+    const double length = curve_length(mesh_->surface(), *curve_);
+    moves.moved = std::min(1.0, left_ / length);
+    moves.already = std::min(1.0, stayed_ / length);
     return result;
   }
 
@@ -120,8 +122,7 @@ class Departures {
     double whole = 0, on = 0;
     for (std::size_t k = begin; k < end; ++k) {
       const RidgeStep& step = way_[k % way_.size()];
-      const double length =
-          (mesh_->position(step.point) - mesh_->position(way_[(k + 1) % way_.size()].point)).norm();
+      const double length = distance(step.point, way_[(k + 1) % way_.size()].point);
       whole += length;
       if (step.ridge_next) on += length;
     }
@@ -135,7 +136,10 @@ class Departures {
     const std::vector<SurfacePoint> drawn = drawn_between(from, end);
     const bool is_drawn = end == begin + 1 && drawn.size() == 2;
     const std::size_t last = std::min(end, all - 1);
-    if (is_drawn) return;
+    if (is_drawn) {
+      if (way_[begin % way_.size()].ridge_next) stayed_ += distance(drawn.front(), drawn.back());
+      return;
+    }
     if (!drawn.empty() && !is_on_ridge(begin, last)) {
       for (const SurfacePoint& point : drawn) add({point, {}, {}, false}, result);
       return;
@@ -150,18 +154,28 @@ class Departures {
       if (step.gate) moved_.insert_or_assign(*step.gate, step.point);
     }
     for (const SurfacePoint& point : drawn) before.push_back(mesh_->position(point));
-    for (std::size_t i = 0; i + 1 < before.size(); ++i) left_ += (before[i + 1] - before[i]).norm();
     if (before.empty() || places.empty()) return;
-    moves.farthest = std::max(
-        {moves.farthest, largest_distance(places, before), largest_distance(before, places)});
+    const double off = std::max(largest_distance(places, before), largest_distance(before, places));
+    const bool has_moved = off > kRounding * moves.band;
+    for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+      (has_moved ? left_ : stayed_) += (before[i + 1] - before[i]).norm();
+    }
+    if (has_moved) moves.farthest = std::max(moves.farthest, off);
   }
+
+  [[nodiscard]] double distance(const SurfacePoint& from, const SurfacePoint& to) const {
+    return (mesh_->position(from) - mesh_->position(to)).norm();
+  }
+
+  static constexpr double kRounding =
+      1e-6;  // of the band: a way through the same places is no move
 
   const SurfaceMesh* mesh_;
   const SurfaceCurve* curve_;
   std::vector<RidgeStep> way_;
   std::vector<SurfacePoint> made_;
   std::unordered_map<std::size_t, SurfacePoint> moved_;  // only looked up
-  double left_ = 0;                                      // of the drawing's length
+  double left_ = 0, stayed_ = 0;                         // of the drawing's length, on ridges now
 };
 
 /// What is known of a curve before it is moved.
@@ -218,7 +232,7 @@ class Snapping {
   void move(std::size_t c, const TakenPoints& given) {
     SurfaceCurve& curve = result_.curves[c];
     const Setting setting = setting_of(*mesh_, curve, options_, progress_);
-    RidgeMoves moves{options_.strength, setting.band.width, setting.scale, 0, 0, 0, 0};
+    RidgeMoves moves{options_.strength, setting.band.width, setting.scale, 0, 0, 0, 0, 0};
     const RidgeGates gates =
         ridge_gates(*mesh_, curve, stay_, given.way_points, given.painted, setting.band);
     RidgeField field(*mesh_, options_.kind, setting.scale, setting.roughness);
@@ -284,7 +298,14 @@ void RidgeOptions::validate() const {
 }
 
 std::string RidgeMoves::sentence(std::size_t curve) const {
-  if (moved == 0 && farthest == 0) {
+  const double seen = 0.005;  // less than a percent is told as none
+  if (moved == 0 && already >= seen) {
+    return fmt::format(
+        "{:.0f} % of curve {} lie on ridges as they were drawn; nothing had to be moved (band "
+        "{:.3g}, strength {:g}).",
+        100 * already, curve, band, strength);
+  }
+  if (moved == 0) {
     return fmt::format(
         "Curve {} stays as it was drawn: no ridge that is strong enough lies within {:.3g} mesh "
         "units of it.",
@@ -294,6 +315,7 @@ std::string RidgeMoves::sentence(std::size_t curve) const {
       "{:.0f} % of curve {} were moved onto ridges, by up to {:.3g} mesh units (band {:.3g}, "
       "strength {:g}).",
       100 * moved, curve, farthest, band, strength);
+  if (already >= seen) text += fmt::format(" {:.0f} % lay on ridges already.", 100 * already);
   if (clicks > 0) {
     text += fmt::format(" {} of its clicks moved along, by up to {:.3g}.", clicks, farthest_click);
   }
@@ -305,6 +327,7 @@ std::vector<ReportEntry> entries_of(const RidgeMoves& moves) {
           {"ridge_band", moves.band},
           {"ridge_moved", moves.moved},
           {"ridge_moved_max", moves.farthest},
+          {"ridge_already", moves.already},
           {"ridge_clicks_moved", std::uint64_t{moves.clicks}},
           {"ridge_clicks_moved_max", moves.farthest_click}};
 }
@@ -315,6 +338,7 @@ std::vector<ReportEntry> total_entries(std::span<const RidgeMoves> moves) {
   for (const RidgeMoves& curve : moves.subspan(1)) {
     most.band = std::max(most.band, curve.band);
     most.moved = std::max(most.moved, curve.moved);
+    most.already = std::max(most.already, curve.already);
     most.farthest = std::max(most.farthest, curve.farthest);
     most.clicks += curve.clicks;
     most.farthest_click = std::max(most.farthest_click, curve.farthest_click);

@@ -32,11 +32,12 @@ struct RidgeOptions {
 /// What became of one curve.
 struct RidgeMoves {
   double strength = 0;
-  double band = 0;            ///< mesh units
-  double scale = 0;           ///< mesh units: the radius within which turning was looked at
-  double moved = 0;           ///< [0, 1]: the part of the drawing's length that left for a ridge
-  double farthest = 0;        ///< mesh units, between that part and the ridge: the larger direction
-  std::size_t clicks = 0;     ///< way-points that moved
+  double band = 0;         ///< mesh units
+  double scale = 0;        ///< mesh units: the radius within which turning was looked at
+  double moved = 0;        ///< [0, 1]: the part of the drawing's length that left for a ridge
+  double already = 0;      ///< [0, 1]: the part that lay on a ridge as it was drawn
+  double farthest = 0;     ///< mesh units, between what moved and the ridge: the larger direction
+  std::size_t clicks = 0;  ///< way-points that moved
   double farthest_click = 0;  ///< mesh units
 
   [[nodiscard]] std::string sentence(std::size_t curve) const;

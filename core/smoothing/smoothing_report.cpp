@@ -49,11 +49,15 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
   }
 }
 
+std::string times(std::size_t count) {
+  if (count == 0) return "nowhere";
+  return count == 1 ? "once" : fmt::format("{} times", count);
+}
+
 void warn_of_crossings(SmoothingReport& report) {
   if (report.crossings_after == report.crossings_before) return;
-  std::string sentence =
-      fmt::format("The drawing crosses itself and others {} times, the result {} times.",
-                  report.crossings_before, report.crossings_after);
+  std::string sentence = fmt::format("The drawing crosses itself and others {}, the result {}.",
+                                     times(report.crossings_before), times(report.crossings_after));
   if (report.crossings_after > report.crossings_before) {
     warn_decisively(report, {std::move(sentence)});
   } else {

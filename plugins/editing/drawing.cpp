@@ -21,6 +21,7 @@ void apply(const char* id, const std::optional<double>& value, host::Instance& s
 }
 
 constexpr const char* kEnds[] = {"auto", "closed", "open"};
+constexpr const char* kRidges[] = {"both", "convex", "concave"};
 
 }  // namespace
 
@@ -30,6 +31,16 @@ Ends ends_named(const std::string& name) {
   const auto* const found = std::find(std::begin(kEnds), std::end(kEnds), name);
   if (found == std::end(kEnds)) throw Error("Ends are auto, closed or open, not " + name + ".");
   return static_cast<Ends>(found - std::begin(kEnds));
+}
+
+const char* name_of(RidgeKind kind) { return kRidges[static_cast<std::size_t>(kind)]; }
+
+RidgeKind ridges_named(const std::string& name) {
+  const auto* const found = std::find(std::begin(kRidges), std::end(kRidges), name);
+  if (found == std::end(kRidges)) {
+    throw Error("Ridges are both, convex or concave, not " + name + ".");
+  }
+  return static_cast<RidgeKind>(found - std::begin(kRidges));
 }
 
 Point picked(std::uint32_t face, const std::array<double, 3>& barycentric) {
@@ -51,7 +62,7 @@ bool Curve::operator==(const Curve& other) const {
 }
 
 bool Drawing::operator==(const Drawing& other) const {
-  return unfinished == other.unfinished && settings == other.settings &&
+  return unfinished == other.unfinished && settings == other.settings && offset == other.offset &&
          std::equal(curves.begin(), curves.end(), other.curves.begin(), other.curves.end(), same);
 }
 
@@ -159,6 +170,7 @@ void apply(const Drawing& drawing, host::Instance& smooth) {
   apply("click_distance", drawing.settings.click_distance, smooth);
   smooth.set("ends", name_of(drawing.settings.ends));
   smooth.set("ridges", drawing.settings.ridges);
+  smooth.set("ridge_kind", name_of(drawing.settings.ridge_kind));
   smooth.set("border", "snap");  // beyond the border a hand picks no points
   std::vector<std::optional<double>> taus, slacks;
   for (const auto& curve : drawing.curves) {

@@ -66,6 +66,13 @@ const char* name_of(Ends ends);
 /// Throws Error for another name.
 Ends ends_named(const std::string& name);
 
+/// Which ridges attract a drawing.
+enum class RidgeKind { kBoth, kConvex, kConcave };
+/// As the parameter of talweg.smooth has it: "both", "convex", "concave".
+const char* name_of(RidgeKind kind);
+/// Throws Error for another name.
+RidgeKind ridges_named(const std::string& name);
+
 /// Parameters of talweg.smooth that belong to the drawing.
 struct Settings {
   double tau = 1;                       ///< >= 0
@@ -76,8 +83,21 @@ struct Settings {
   /// Successive clicks at most so far apart are one; mesh units, >= 0; none: the plugin's default.
   std::optional<double> click_distance = {};
   double ridges = 0;  ///< [0, 1]: how strongly ridges attract the drawing
+  RidgeKind ridge_kind = RidgeKind::kBoth;
 
   bool operator==(const Settings&) const = default;
+};
+
+/// Curves at a distance along the surface from the smoothed ones: the choices of a person, which
+/// hosts with an offset that follows the drawing hand to talweg.offset.
+struct Offset {
+  bool on = false;
+  std::optional<std::uint32_t> of = {};  ///< the number of a curve; none: of all
+  double distance = 0;                   ///< mesh units, above 0 while it is on
+  std::string side = "both";             ///< as the parameters of talweg.offset
+  std::string caps = "round";
+
+  bool operator==(const Offset&) const = default;
 };
 
 /// The state that undo restores. Copies share the curves, which never change.
@@ -85,6 +105,7 @@ struct Drawing {
   std::vector<std::shared_ptr<const Curve>> curves;
   bool unfinished = false;  ///< the last curve is still being drawn
   Settings settings;
+  Offset offset = {};
 
   /// Compares contents, not shared pointers.
   bool operator==(const Drawing& other) const;

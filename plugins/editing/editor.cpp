@@ -182,6 +182,8 @@ void Editor::reverse_curve(std::size_t curve) {
 void Editor::clear() {
   Drawing next;
   next.settings = drawing().settings;
+  next.offset = drawing().offset;
+  next.offset.of.reset();
   history_.add("Remove all curves", std::move(next));
 }
 
@@ -303,6 +305,19 @@ void Editor::set_ridges(double strength) {
   Settings settings = drawing().settings;
   settings.ridges = strength;
   set("Snap to ridges", settings);
+}
+
+void Editor::set_ridge_kind(RidgeKind kind) {
+  Settings settings = drawing().settings;
+  settings.ridge_kind = kind;
+  set("Kind of ridges", settings);
+}
+
+void Editor::set_offset(const Offset& offset) {
+  if (offset.on) require_bound(offset.distance, false, "The distance of the offset");
+  Drawing next = drawing();
+  next.offset = offset;
+  history_.add("Offset", std::move(next));
 }
 
 }  // namespace talweg::editing

@@ -55,7 +55,7 @@ class Editor {
   void reverse_curve(std::size_t curve);
   /// Drawing goes on at the end of an open curve, which becomes the last one.
   void continue_curve(std::size_t curve);
-  /// Removes all curves; the settings stay.
+  /// Removes all curves; the settings and the offset's choices stay, but it is of all curves.
   void clear();
 
   // ---- What is a curve's own; of any curve.
@@ -85,6 +85,10 @@ class Editor {
   void set_ends(Ends ends);
   void set_click_distance(std::optional<double> distance);
   void set_ridges(double strength);
+  void set_ridge_kind(RidgeKind kind);
+  /// Smoothing does not depend on it. Throws Error for a distance that is not more than 0 while it
+  /// is on.
+  void set_offset(const Offset& offset);
 
  private:
   const Curve& curve_at(std::size_t curve) const;

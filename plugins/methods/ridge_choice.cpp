@@ -20,7 +20,7 @@ std::vector<talweg_parameter> ridge_choice(std::uint32_t stage) {
              "20.",
              stage),
       choice("ridge_kind", "Kind of ridges", "both", kKinds, kKindLabels,
-             "convex: ridges, which stand out; concave: valleys; both.", stage, TALWEG_ADVANCED),
+             "convex: ridges, which stand out; concave: valleys; both.", stage),
       number("ridge_band", "Band of ridges", "mesh units", 0, {0, HUGE_VAL, 0, 10},
              "How far from the drawing a ridge may lie. By default a fortieth of its length, 4 to "
              "12 edges of the mesh; between two clicks a quarter of the way.",

@@ -74,6 +74,7 @@ TEST(GltfMesh, IndicesOfAllSizesStripsAndFans) {
   const std::string node = R"({"mesh":0})";
   for (const char* indices : {R"(,"indices":1)", R"(,"indices":2)", R"(,"mode":6)"}) {
     const MeshLists lists = read_mesh("a.gltf", gltf(node, primitive(indices)));
+    EXPECT_EQ(lists.unit.value().code(), "m");
     EXPECT_EQ(lists.triangles, kTwo) << indices;
     EXPECT_EQ(lists.points[2], Point(1, 1, 0));
     EXPECT_TRUE(lists.single_precision);

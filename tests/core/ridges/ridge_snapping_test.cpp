@@ -158,6 +158,34 @@ TEST(RidgeSnapping, OnASharpCreaseItLiesExactly) {
   }
 }
 
+TEST(RidgeSnapping, ADrawingThatLiesOnTheRidgeIsToldToLieThere) {
+  const Height height = roof(60 * kDegree, 20, 0);
+  const SurfaceMesh mesh = SurfaceMesh::open(sheet(80, 40, height, 0));
+  for (const double step : {1.0, 0.4}) {  // vertices of the crease, and points between them
+    std::vector<Point> points;
+    for (double x = 8; x <= 72; x += step) points.emplace_back(x, 20, height(x, 20));
+    const Ridged result = ridged(mesh, points, false, strength(1));
+    EXPECT_EQ(result.moves().moved, 0);
+    EXPECT_EQ(result.moves().farthest, 0);
+    EXPECT_GT(result.moves().already, 0.99);
+    EXPECT_EQ(result.moves().sentence(2).find(
+                  "100 % of curve 2 lie on ridges as they were drawn; nothing had to be moved"),
+              0U)
+        << result.moves().sentence(2);
+  }
+  // The first half on the crease, the second two edges beside it.
+  std::vector<Point> points;
+  for (double x = 8; x <= 72; x += 1) {
+    const double y = x <= 40 ? 20 : 22;
+    points.emplace_back(x, y, height(x, y));
+  }
+  const RidgeMoves moves = ridged(mesh, points, false, strength(1)).moves();
+  EXPECT_NEAR(moves.already, 0.5, 0.1);
+  EXPECT_NEAR(moves.moved, 0.5, 0.1);
+  EXPECT_GT(moves.farthest, 2);
+  EXPECT_NE(moves.sentence(0).find("lay on ridges already"), std::string::npos);
+}
+
 TEST(RidgeSnapping, WithoutARidgeTheDrawingStaysToTheLastBit) {
   const Height flat = [](double, double) { return 0; };
   const Height hill = roof(90 * kDegree, 20, 0);

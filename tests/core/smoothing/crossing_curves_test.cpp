@@ -76,6 +76,11 @@ TEST(CrossingCurves, TwiceAroundATube) {
   EXPECT_GT(result.report().after.length, 0.98 * 4 * kPi);
 }
 
+bool warns_of(const SmoothingReport& report, const char* words) {
+  return std::any_of(report.warnings.begin(), report.warnings.end(),
+                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
 // The strip grows until it contains the result, however far this is from the drawing.
 TEST(CrossingCurves, ALegFarFromItsDrawingIsStraight) {
   const auto opened = OpenedMesh::open(grid(60, 60));
@@ -93,6 +98,7 @@ TEST(CrossingCurves, ALegFarFromItsDrawingIsStraight) {
   const SmoothingResult result = smoother.smooth(1.0);
   EXPECT_EQ(result.total.crossings_before, 1U);
   EXPECT_EQ(result.total.crossings_after, 0U);
+  EXPECT_TRUE(warns_of(result.total, "crosses itself and others once, the result nowhere."));
   EXPECT_NEAR(result.reports[0].after.length, 40, 1e-9);
   EXPECT_NEAR(result.reports[1].after.length, 30, 1e-9);
 }
@@ -125,11 +131,6 @@ TEST(CrossingCurves, SpikesGoAndEndsStay) {
   EXPECT_EQ(result.curve().points.back(), drawn.points.back());
   EXPECT_NEAR(result.report().after.length, 6, 1e-6);
   EXPECT_EQ(result.report().crossings_before, 0U);
-}
-
-bool warns_of(const SmoothingReport& report, const char* words) {
-  return std::any_of(report.warnings.begin(), report.warnings.end(),
-                     [&](const std::string& w) { return w.find(words) != std::string::npos; });
 }
 
 // Along a stem to a figure eight, around it, and back along the stem to where it began.

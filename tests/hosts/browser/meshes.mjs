@@ -72,13 +72,19 @@ function sheet() {
   return { points, faces };
 }
 
+/** The sheet as a roof: two planes that meet in a crease at y = 15, in the middle. */
+function roof() {
+  const { points, faces } = sheet();
+  return { points: points.map(([x, y]) => [x, y, -0.6 * Math.abs(y - 15)]), faces };
+}
+
 /** A point of a drawing on the sheet: the first corner of a face of it. */
 export function sheetVertex(x, y) {
   return { face: 2 * (y * columns + x), barycentric: [1, 0, 0] };
 }
 
 const kinds = {
-  sheet, pair, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
+  sheet, roof, pair, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
 };
 
 /** The path of an OFF file with this mesh. */
@@ -88,6 +94,24 @@ export function mesh(kind) {
   const lines = [`OFF`, `${points.length} ${faces.length} 0`, ...points.map((p) => p.join(' ')),
     ...faces.map((f) => `3 ${f.join(' ')}`)];
   writeFileSync(path, `${lines.join('\n')}\n`);
+  return path;
+}
+
+/** The path of a glTF file with this mesh, whose unit is the metre. */
+export function inMetres(kind) {
+  const { points, faces } = kinds[kind]();
+  const positions = Buffer.from(new Float32Array(points.flat()).buffer), corners = Buffer.from(new Uint32Array(faces.flat()).buffer);
+  const path = join(folder, `${kind}.gltf`);
+  writeFileSync(path, JSON.stringify({
+    asset: { version: '2.0' }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, count: points.length, type: 'VEC3' },
+      { bufferView: 1, componentType: 5125, count: 3 * faces.length, type: 'SCALAR' }],
+    bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: positions.length },
+      { buffer: 0, byteOffset: positions.length, byteLength: corners.length }],
+    buffers: [{ byteLength: positions.length + corners.length,
+      uri: `data:application/octet-stream;base64,${Buffer.concat([positions, corners]).toString('base64')}` }],
+  }));
   return path;
 }
 

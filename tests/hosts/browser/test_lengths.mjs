@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { countIn, curvesIn, farthest, talweg } from './driver.mjs';
-import { inMillimetres, mesh, sheetVertex } from './meshes.mjs';
+import { inMetres, inMillimetres, mesh, sheetVertex } from './meshes.mjs';
 import { openPage } from './page.mjs';
 
 /** Two clicks, 10 apart, on the sheet. */
@@ -27,14 +27,18 @@ async function choose(page, id, value) {
 const labels = (page) => page.page.$$eval('.mark.length', (all) => all.filter((mark) => !mark.hidden).map((mark) => mark.textContent));
 const offsets = (page) => page.page.$$eval('#offset-list li', (all) => all.map((item) => item.textContent));
 
+async function write(page, id, number) {
+  await page.page.$eval(`#${id}`, (box, value) => {
+    box.value = value;
+    box.dispatchEvent(new Event('change'));
+  }, String(number));
+  await page.rest();
+}
+
 async function withOffset(page, distance) {
   await page.page.click('#offset-on');
   await page.rest();
-  await page.page.$eval('#offset-number', (box, value) => {
-    box.value = value;
-    box.dispatchEvent(new Event('change'));
-  }, String(distance));
-  await page.rest();
+  await write(page, 'offset-number', distance);
 }
 
 export async function lengthsHaveTheUnitThatIsChosen() {
@@ -75,6 +79,9 @@ export async function theFileTellsItsUnit() {
   assert.deepEqual(await labels(page), ['10 mm']);
   assert.equal(await page.page.$eval('#mesh-unit', (box) => box.selectedOptions[0].textContent), 'mm, as its file says');
   assert.match(await page.text('slack-told'), /painted strokes/);
+  const inGltf = await withLine(inMetres('sheet'));
+  assert.deepEqual(await labels(inGltf), ['10 m']);
+  assert.equal(await inGltf.page.$eval('#mesh-unit', (box) => box.selectedOptions[0].textContent), 'm, as its file says');
 }
 
 /** Around the line at a distance of 3: twice its length and a circle. */
@@ -120,14 +127,48 @@ export async function oneSideAndNone() {
   await page.load();
   await page.page.waitForFunction(() => document.querySelectorAll('#offset-list li').length === 2);
   await page.rest();
-  await page.page.$eval('#offset-number', (box) => {
-    box.value = '300';
-    box.dispatchEvent(new Event('change'));
-  });
-  await page.rest();
+  await write(page, 'offset-number', 300);
   assert.match(await page.text('trouble-offset'), /300/);
   assert.deepEqual(await offsets(page), []);
   await page.page.click('#offset-on');
   await page.rest();
   assert.equal(await page.text('trouble-offset'), '');
+}
+
+/** Where they are worked with: they are steps, and the curves stay as they are. */
+export async function editsOfTheOffsetAreUndone() {
+  const page = await withLine();
+  const number = () => page.page.$eval('#offset-number', (box) => box.value);
+  await withOffset(page, 3);
+  const [atThree] = await offsets(page);
+  await write(page, 'offset-number', 4);
+  assert.notEqual((await offsets(page))[0], atThree);
+  await page.page.focus('#view');
+  await page.page.keyboard.down('Control');
+  await page.key('z');
+  assert.match(await page.text('told'), /Undid: Offset/);
+  assert.equal(await number(), '3');
+  assert.deepEqual(await offsets(page), [atThree]);
+  await page.key('y');
+  await page.page.keyboard.up('Control');
+  assert.equal(await number(), '4');
+
+  // A slider that is held is one step.
+  const slider = await (await page.page.$('#offset')).boundingBox(), y = slider.y + slider.height / 2;
+  await page.drag([[slider.x + slider.width / 2, y], [slider.x + slider.width / 4, y]]);
+  assert.notEqual(await number(), '4');
+  await page.act('undo');
+  assert.equal(await number(), '4');
+  await choose(page, 'offset-side', 'right');
+  assert.deepEqual(await offsets(page), ['open, right: 10']);
+  await page.page.click('#offset-on');
+  await page.rest();
+  assert.deepEqual(await offsets(page), []);
+  await page.act('undo');
+  assert.deepEqual(await offsets(page), ['open, right: 10']);
+
+  await write(page, 'offset-number', 0);
+  assert.equal(await page.text('trouble-offset'), 'The distance of the offset is more than 0.');
+  assert.equal(await number(), '4');
+  assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
 }

@@ -218,8 +218,42 @@ TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
   EXPECT_EQ(editor.history().undo_name(), "Snap to ridges");
   EXPECT_EQ(refusal([&] { editor.set_ridges(1.5); }), "The strength of ridges is 0 to 1.");
   EXPECT_EQ(editor.drawing().settings.ridges, 0.7);
+  for (const auto kind :
+       {editing::RidgeKind::kBoth, editing::RidgeKind::kConvex, editing::RidgeKind::kConcave}) {
+    EXPECT_EQ(editing::ridges_named(editing::name_of(kind)), kind);
+  }
+  editor.set_ridge_kind(editing::RidgeKind::kConcave);
+  EXPECT_EQ(editor.history().undo_name(), "Kind of ridges");
+  EXPECT_EQ(refusal([] { editing::ridges_named("sharp"); }),
+            "Ridges are both, convex or concave, not sharp.");
   EXPECT_EQ(refusal([] { editing::ends_named("ajar"); }),
             "Ends are auto, closed or open, not ajar.");
+}
+
+TEST(Editor, TheOffsetIsAStepThatSmoothsNothing) {
+  Editor editor;
+  editor.add_curve({{at(1), at(2), at(3)}, true});
+  const Drawing before = editor.drawing();
+  editor.set_offset({true, 1U, 2.5, "left", "none"});
+  EXPECT_EQ(stage_between(before, editor.drawing()), Stage::kNothing);
+  EXPECT_EQ(editor.history().undo_name(), "Offset");
+  EXPECT_EQ(refusal([&] {
+              editor.set_offset({true, {}, 0});
+            }),
+            "The distance of the offset is more than 0.");
+  editor.history().begin_gesture("Distance");  // a slider that is held
+  for (const double distance : {3.0, 3.5, 4.0}) {
+    editor.set_offset({true, 1U, distance, "left", "none"});
+  }
+  editor.history().end_gesture();
+  EXPECT_EQ(editor.drawing().offset.distance, 4);
+  editor.history().undo();
+  EXPECT_EQ(editor.drawing().offset.distance, 2.5);
+  editor.history().undo();
+  EXPECT_EQ(editor.drawing(), before);
+  editor.history().redo();
+  editor.clear();
+  EXPECT_EQ(editor.drawing().offset, (editing::Offset{true, {}, 2.5, "left", "none"}));
 }
 
 TEST(Editor, PointsKeepTheirPinsAndGo) {

@@ -17,6 +17,14 @@ Json point_json(const editing::Point& point) {
           {"exact", point.exact}};
 }
 
+Json offset_json(const editing::Offset& offset) {
+  return {{"on", offset.on},
+          {"of", offset.of ? Json(*offset.of) : Json(nullptr)},
+          {"distance", offset.distance},
+          {"side", offset.side},
+          {"caps", offset.caps}};
+}
+
 }  // namespace
 
 std::optional<double> optional_of(const Json& json) {
@@ -42,6 +50,16 @@ editing::Curve curve_of(const Json& json) {
   return curve;
 }
 
+editing::Offset offset_of(const Json& json) {
+  editing::Offset offset;
+  offset.on = json.at("on").get<bool>();
+  if (!json.at("of").is_null()) offset.of = json.at("of").get<std::uint32_t>();
+  offset.distance = json.at("distance").get<double>();
+  offset.side = json.at("side").get<std::string>();
+  offset.caps = json.at("caps").get<std::string>();
+  return offset;
+}
+
 editing::Drawing drawing_of(const Json& json) {
   editing::Drawing drawing;
   for (const Json& curve : json.at("curves")) {
@@ -55,7 +73,9 @@ editing::Drawing drawing_of(const Json& json) {
                       settings.value("paper", false),
                       editing::ends_named(settings.value("ends", "auto")),
                       optional_of(settings.value("clickDistance", Json())),
-                      settings.value("ridges", 0.0)};
+                      settings.value("ridges", 0.0),
+                      editing::ridges_named(settings.value("ridgeKind", "both"))};
+  if (json.contains("offset")) drawing.offset = offset_of(json.at("offset"));
   return drawing;
 }
 
@@ -82,7 +102,9 @@ Json json_of(const editing::Drawing& drawing) {
             {"paper", drawing.settings.paper},
             {"ends", editing::name_of(drawing.settings.ends)},
             {"clickDistance", number_json(drawing.settings.click_distance)},
-            {"ridges", drawing.settings.ridges}}}};
+            {"ridges", drawing.settings.ridges},
+            {"ridgeKind", editing::name_of(drawing.settings.ridge_kind)}}},
+          {"offset", offset_json(drawing.offset)}};
 }
 
 }  // namespace talweg::browser

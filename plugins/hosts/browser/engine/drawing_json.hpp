@@ -8,6 +8,7 @@ namespace talweg::browser {
 
 editing::Point point_of(const Json& json);
 editing::Curve curve_of(const Json& json);
+editing::Offset offset_of(const Json& json);
 editing::Drawing drawing_of(const Json& json);
 
 Json json_of(const editing::Curve& curve);

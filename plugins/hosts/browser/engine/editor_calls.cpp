@@ -137,6 +137,12 @@ const std::map<std::string, Call>& calls_of_curves() {
        }},
       {"setRidges",
        [](Editor& e, Arguments a) { return done([&] { e.set_ridges(a.at(0).get<double>()); }); }},
+      {"setRidgeKind",
+       [](Editor& e, Arguments a) {
+         return done([&] { e.set_ridge_kind(editing::ridges_named(a.at(0).get<std::string>())); });
+       }},
+      {"setOffset",
+       [](Editor& e, Arguments a) { return done([&] { e.set_offset(offset_of(a.at(0))); }); }},
       {"setMaxDeviation", [](Editor& e, Arguments a) {
          return done([&] { e.set_max_deviation(optional_of(a.at(0))); });
        }}};

@@ -196,7 +196,8 @@ Answer Engine::offset(const OffsetWish& wish) {
 
 Answer Engine::cut(const editing::Drawing& drawing, bool along_offset) {
   need_mesh();
-  const bool is_there = smoothed_ && *smoothed_ == drawing;
+  const bool is_there =
+      smoothed_ && editing::stage_between(*smoothed_, drawing) == editing::Stage::kNothing;
   if (along_offset && (!is_there || !offsets_ || offsets_->curves().empty())) {
     throw editing::Error("There is no offset to cut along.");
   }

@@ -93,6 +93,18 @@ Json decisive_of(const host::Results& results, std::int64_t curve) {
   return all;
 }
 
+/// `RidgeReport` in src/engine/types.ts; null where ridges were not to attract the drawing.
+Json ridges_of(const host::Results& results, std::int64_t curve) {
+  if (results.find("ridge_moved", curve) == nullptr) return nullptr;
+  const auto number = [&](const char* key) { return number_or_null(results, key, curve); };
+  return {{"moved", number("ridge_moved")},
+          {"farthest", number("ridge_moved_max")},
+          {"already", number("ridge_already")},
+          {"clicks", number("ridge_clicks_moved")},
+          {"farthestClick", number("ridge_clicks_moved_max")},
+          {"band", number("ridge_band")}};
+}
+
 Json report_of(const host::Results& results, std::int64_t curve) {
   const auto number = [&](const char* key) { return number_or_null(results, key, curve); };
   const std::string of = results.text("farthest_of", curve);
@@ -109,6 +121,7 @@ Json report_of(const host::Results& results, std::int64_t curve) {
           {"termination", results.text("termination", curve)},
           {"warnings", texts_of(results, "warnings", curve)},
           {"decisive", decisive_of(results, curve)},
+          {"ridges", ridges_of(results, curve)},
           {"worst", at == nullptr ? Json(nullptr) : Json(at->numbers)}};
 }
 
@@ -145,7 +158,7 @@ Json drawn_lines(const std::vector<host::Curve>& curves, Answer& answer) {
         {"length", length},          {"drawnLength", length}, {"farthest", nullptr},
         {"farthestAtMost", nullptr}, {"farthestOf", "none"},  {"meanDeviation", nullptr},
         {"turning", nullptr},        {"termination", ""},     {"warnings", Json::array()},
-        {"decisive", Json::array()}, {"worst", nullptr}};
+        {"decisive", Json::array()}, {"ridges", nullptr},     {"worst", nullptr}};
     lines.push_back(std::move(line));
   }
   return lines;

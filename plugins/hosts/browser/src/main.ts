@@ -63,7 +63,7 @@ async function start(store: Store): Promise<void> {
   const curves = new CurvePanel(store, drawing);
   const cuts = new CutPanel(store, cutting);
   new SettingsPanel(store, drawing);
-  new OffsetPanel(store, new OffsetWork(desk));
+  new OffsetPanel(store, new OffsetWork(desk, live));
   bindShowPanel(store, live);
   const filesPanel = new FilesPanel(desk, store, meshes, files, sessions, cuts);
   bindActs({

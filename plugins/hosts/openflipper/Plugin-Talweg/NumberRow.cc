@@ -51,6 +51,7 @@ NumberRow::NumberRow(const Texts& texts, double largest, bool optional, QGridLay
   slider_->setRange(0, kSteps);
   slider_->setMinimumWidth(60);
   box_->setObjectName(texts.name + "Box");
+  box_->setMaximum(texts.most);
   const int row = grid->rowCount();
   grid->addWidget(head_, row, 0);
   grid->addWidget(slider_, row, 1);

@@ -24,6 +24,7 @@ class NumberRow : public QObject {
   struct Texts {
     QString name;  ///< prefix of the widgets' names: "Slider", "Box" and "Tick" follow
     QString label, tip, unit;
+    double most = 1e9;  ///< that the box takes
   };
   /// Takes the next row of the grid, so that sliders of several rows are aligned. The value grows
   /// with the square of the slider's position, which leaves room for small values. `optional`: with

@@ -109,6 +109,11 @@ void PanelLink::connect_settings() {
   connect(panel_, &TalwegPanel::ends_changed, this, [this](int ends) {
     sessions_.edit([&](Editor& e) { e.set_ends(static_cast<editing::Ends>(ends)); });
   });
+  connect(panel_, &TalwegPanel::ridges_changed, this,
+          [this](double strength) { sessions_.edit([&](Editor& e) { e.set_ridges(strength); }); });
+  connect(panel_, &TalwegPanel::ridge_kind_changed, this, [this](int kind) {
+    sessions_.edit([&](Editor& e) { e.set_ridge_kind(static_cast<editing::RidgeKind>(kind)); });
+  });
 }
 
 void PanelLink::connect_curves() {

@@ -120,6 +120,7 @@ QGroupBox* TalwegPanel::make_shape_group() {
                           tr("units")},
                          1, true, grid, group);
   make_taking(grid, group);
+  make_ridges(grid, group);
   connect_number(tau_, "Tau");
   connect_number(slack_, "Slack");
   connect_number(bound_, "Largest deviation");
@@ -136,18 +137,41 @@ void TalwegPanel::make_taking(QGridLayout* grid, QWidget* group) {
                               "units. Unticked: an edge of the mesh."),
                            tr("units")},
                           1, true, grid, group);
-  ends_ = new QComboBox(group);
+  ends_ = choice(tr("Ends"), grid, group);
   ends_->setObjectName("talwegEnds");
   ends_->addItems(
       {tr("Returning strokes are loops"), tr("All curves are loops"), tr("Open curves stay open")});
   ends_->setToolTip(tr("What becomes of the ends of curves that are not closed."));
-  ends_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  const int row = grid->rowCount();
-  grid->addWidget(new QLabel(tr("Ends"), group), row, 0);
-  grid->addWidget(ends_, row, 1, 1, 3);
   connect_number(clicks_, "Click distance");
   connect(clicks_, &NumberRow::changed, this, &TalwegPanel::click_distance_changed);
   connect(ends_, QOverload<int>::of(&QComboBox::activated), this, &TalwegPanel::ends_changed);
+}
+
+/// Strength and kind of what attracts the drawing.
+void TalwegPanel::make_ridges(QGridLayout* grid, QWidget* group) {
+  ridges_ = new NumberRow({"talwegRidges", tr("Ridges"),
+                           tr("How strongly ridges and valleys beside the drawing attract it: 0 "
+                              "not at all, 0.3 sharp edges only, 1 weak ones, too."),
+                           QString(), 1},
+                          1, false, grid, group);
+  ridge_kind_ = choice(tr("Snap to"), grid, group);
+  ridge_kind_->setObjectName("talwegRidgeKind");
+  ridge_kind_->addItems({tr("Ridges and valleys"), tr("Ridges, which stand out"), tr("Valleys")});
+  ridge_kind_->setToolTip(tr("What attracts the drawing."));
+  connect_number(ridges_, "Snap to ridges");
+  connect(ridges_, &NumberRow::changed, this, [this](bool, double v) { emit ridges_changed(v); });
+  connect(ridge_kind_, QOverload<int>::of(&QComboBox::activated), this,
+          &TalwegPanel::ridge_kind_changed);
+}
+
+/// A box with choices, in a row of its own.
+QComboBox* TalwegPanel::choice(const QString& label, QGridLayout* grid, QWidget* group) {
+  auto* box = new QComboBox(group);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  const int row = grid->rowCount();
+  grid->addWidget(new QLabel(label, group), row, 0);
+  grid->addWidget(box, row, 1, 1, 3);
+  return box;
 }
 
 void TalwegPanel::connect_number(NumberRow* row, const QString& name) {
@@ -240,6 +264,9 @@ void TalwegPanel::show_settings(const PanelState& state) {
   clicks_->show_value(state.settings.click_distance, state.mean_edge,
                       std::max(most, 2 * state.mean_edge));
   ends_->setCurrentIndex(static_cast<int>(state.settings.ends));
+  ridges_->show_value(state.settings.ridges, 0);
+  ridge_kind_->setCurrentIndex(static_cast<int>(state.settings.ridge_kind));
+  ridge_kind_->setEnabled(state.settings.ridges > 0);
   const QString no_stroke =
       state.all_clicked ? tr("Between clicked points the curve is free; this is for painted ones.")
                         : QString();

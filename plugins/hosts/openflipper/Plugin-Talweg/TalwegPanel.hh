@@ -83,6 +83,8 @@ class TalwegPanel : public QWidget {
   void max_deviation_changed(bool set, double bound);
   void ends_changed(int ends);
   void click_distance_changed(bool set, double distance);
+  void ridges_changed(double strength);
+  void ridge_kind_changed(int kind);
 
  private:
   using Signal = void (TalwegPanel::*)();
@@ -96,6 +98,8 @@ class TalwegPanel : public QWidget {
                       Signal signal);
   QToolButton* from_button();
   void make_taking(QGridLayout* grid, QWidget* group);
+  void make_ridges(QGridLayout* grid, QWidget* group);
+  static QComboBox* choice(const QString& label, QGridLayout* grid, QWidget* group);
   void connect_number(NumberRow* row, const QString& name);
   void show_settings(const PanelState& state);
   void show_problem(const PanelState& state);
@@ -107,8 +111,8 @@ class TalwegPanel : public QWidget {
   QCheckBox* lids_;
   OffsetRow* offset_;
   CurvesBox* curves_;
-  NumberRow *tau_, *slack_, *bound_, *clicks_;
-  QComboBox* ends_;
+  NumberRow *tau_, *slack_, *bound_, *clicks_, *ridges_;
+  QComboBox *ends_, *ridge_kind_;
   LookBox* look_;
   ResultTable* table_;
   QProgressBar* progress_;

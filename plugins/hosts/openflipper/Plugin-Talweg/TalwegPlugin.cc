@@ -216,6 +216,15 @@ bool TalwegPlugin::setClickDistance(int meshId, double distance) {
   });
 }
 
+bool TalwegPlugin::setRidges(int meshId, double strength) {
+  return edit(meshId, [&](Editor& e) { e.set_ridges(strength); });
+}
+
+bool TalwegPlugin::setRidgeKind(int meshId, QString kind) {
+  return edit(meshId,
+              [&](Editor& e) { e.set_ridge_kind(editing::ridges_named(kind.toStdString())); });
+}
+
 // ---- Results
 
 IdList TalwegPlugin::smooth(int meshId) {

@@ -53,6 +53,8 @@ class TalwegPlugin : public talweg::openflipper::HostLink, public ScriptInterfac
   bool setMaxDeviation(int meshId, double bound);
   bool setEnds(int meshId, QString ends);
   bool setClickDistance(int meshId, double distance);
+  bool setRidges(int meshId, double strength);
+  bool setRidgeKind(int meshId, QString kind);
   bool undoEdit(int meshId);
   bool redoEdit(int meshId);
   bool repairMesh(int meshId);

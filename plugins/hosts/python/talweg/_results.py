@@ -36,6 +36,7 @@ class Report:
     ridge_band: Optional[float] = None
     ridge_moved: Optional[float] = None  #: [0, 1], the part of the drawing that was moved onto ridges
     ridge_moved_max: Optional[float] = None
+    ridge_already: Optional[float] = None  #: [0, 1]: the part that lay on ridges as it was drawn
     ridge_clicks_moved: Optional[int] = None
     ridge_clicks_moved_max: Optional[float] = None
     pins_added: Optional[int] = None

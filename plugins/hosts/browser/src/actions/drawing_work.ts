@@ -5,7 +5,7 @@ import { type Chosen, nameOf, type Place } from '../state/state';
 import { areJoined } from '../pick/parts';
 import { positionOf } from '../view/vectors';
 import { type Desk, sentenceOf } from './desk';
-import type { Hand, Live } from './live';
+import { type Hand, type Live, offsetStep } from './live';
 
 export class DrawingWork {
   constructor(private readonly desk: Desk, private readonly live: Live) {}
@@ -17,18 +17,21 @@ export class DrawingWork {
     return taken;
   }
 
-  private step(change: (editor: Editor) => void, told: string, hand: Hand): boolean {
+  /** `change` returns true where curves and settings stay as they are. */
+  private step(change: (editor: Editor) => unknown, told: string, hand: Hand): boolean {
     const { store, editor } = this.desk;
     if (store.now.opening) return false;
+    let stays: boolean;
     try {
-      change(editor);
+      stays = change(editor) === true;
       store.goOn();
     } catch (error) {
       store.trouble('drawing', sentenceOf(error));
       return false;
     }
     if (told) this.desk.tell(told);
-    this.live.refresh(hand);
+    if (stays) this.live.take();
+    else this.live.refresh(hand);
     return true;
   }
 
@@ -124,7 +127,7 @@ export class DrawingWork {
 
   private back(step: (editor: Editor) => string | null, did: string, nothing: string): void {
     let name: string | null = null;
-    this.step((e) => (name = step(e)), '', 'rests');
+    this.step((e) => (name = step(e)) === offsetStep, '', 'rests');
     this.desk.tell(name ? `${did}: ${String(name)}.` : nothing);
   }
 

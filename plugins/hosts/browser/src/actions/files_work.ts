@@ -69,7 +69,7 @@ export class FilesWork {
 
   /** The command line; empty without a mesh. */
   command(): string {
-    const { mesh, offset, offsets } = this.desk.store.now;
+    const { mesh, drawing: { offset }, offsets } = this.desk.store.now;
     return mesh ? this.desk.engine.command(offsets && offset.of === null ? offset : null) : '';
   }
 

@@ -1,10 +1,13 @@
 // Keeps the smoothed curve beside the drawing: after every edit the newest drawing is smoothed.
 import type { Drawing, Line } from '../engine/types';
-import { emptyDrawing, noOffset, type Comb, type Place } from '../state/state';
+import { emptyDrawing, type Comb, type Place } from '../state/state';
 import { type Desk, isGone, sentenceOf } from './desk';
 
 /** The state of the hand: during a movement only visible results are computed. */
 export type Hand = 'rests' | 'slides' | 'drags';
+
+/** The editor's name of steps that change only the offset. */
+export const offsetStep = 'Offset';
 
 /** The name of work that smooths curves. */
 export const smoothingWords = 'Smoothing';
@@ -18,12 +21,20 @@ export class Live {
 
   constructor(private readonly desk: Desk) {}
 
-  /** Takes the drawing from the editor and smooths it. A cut along earlier curves is dropped. */
-  refresh(hand: Hand = 'rests'): void {
+  /** Takes the drawing from the editor. */
+  take(): Drawing {
     const { editor, store } = this.desk;
     const drawing = editor.drawing();
-    store.set({ drawing, cut: null, kept: null, chosen: stillThere(store.now.chosen, drawing) });
+    store.set({ drawing, chosen: stillThere(store.now.chosen, drawing) });
     this.nameSteps();
+    return drawing;
+  }
+
+  /** Takes the drawing from the editor and smooths it. A cut along earlier curves is dropped. */
+  refresh(hand: Hand = 'rests'): void {
+    const { store } = this.desk;
+    const drawing = this.take();
+    store.set({ cut: null, kept: null });
     if (!drawing.unfinished) this.dropLeg();
     if (!drawable(drawing)) {
       this.shown = ++this.round;
@@ -41,8 +52,8 @@ export class Live {
     this.drawnOf = [];
     this.dropLeg();
     this.desk.store.set({
-      drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], offset: noOffset, offsets: null, cut: null,
-      kept: null, chosen: null, cursor: null, under: { kind: 'nothing' },
+      drawing: emptyDrawing, drawn: [], smoothed: null, combs: [], offsets: null, cut: null, kept: null,
+      chosen: null, cursor: null, under: { kind: 'nothing' },
     });
     this.nameSteps();
   }

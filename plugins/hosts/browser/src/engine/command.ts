@@ -19,7 +19,7 @@ export function repairOption(tolerance: number): string {
 }
 
 function settingsWords({ settings }: Drawing): string[] {
-  const { tau, slack, maxDeviation, paper, ends, clickDistance } = settings;
+  const { tau, slack, maxDeviation, paper, ends, clickDistance, ridges, ridgeKind } = settings;
   return [
     ...(paper ? ['--potential', 'paper', '--tau', String(tau)]
       : maxDeviation !== null ? ['--max-deviation', String(maxDeviation)] : ['--tau', String(tau)]),
@@ -27,6 +27,8 @@ function settingsWords({ settings }: Drawing): string[] {
     ...(ends !== 'auto' ? ['--ends', ends] : []),
     '--border', 'snap',
     ...(clickDistance !== null ? ['--click-distance', String(clickDistance)] : []),
+    ...(ridges > 0 ? ['--ridges', String(ridges)] : []),
+    ...(ridges > 0 && ridgeKind !== 'both' ? ['--ridge-kind', ridgeKind] : []),
   ];
 }
 

@@ -1,6 +1,6 @@
 // The drawing, and all edits of it: `talweg::editing::Editor`.
 import { Module } from './module';
-import type { Curve, Drawing, Ends, Vec3 } from './types';
+import type { Curve, Drawing, Ends, OffsetSettings, RidgeKind, Vec3 } from './types';
 
 interface Place {
   face: number;
@@ -59,6 +59,9 @@ export class Editor {
   setPaper(paper: boolean): void { this.call('setPaper', paper); }
   setEnds(ends: Ends): void { this.call('setEnds', ends); }
   setClickDistance(distance: number | null): void { this.call('setClickDistance', distance); }
+  setRidges(strength: number): void { this.call('setRidges', strength); }
+  setRidgeKind(kind: RidgeKind): void { this.call('setRidgeKind', kind); }
+  setOffset(offset: OffsetSettings): void { this.call('setOffset', offset); }
 
   /** The name of the step that was undone; null: there was none. */
   undo(): string | null { return this.call('undo'); }

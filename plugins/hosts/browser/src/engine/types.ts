@@ -33,6 +33,9 @@ export interface Curve {
    start, 'closed' closes all curves, 'open' none. */
 export type Ends = 'auto' | 'closed' | 'open';
 
+/** 'convex' ridges, 'concave' valleys, or both. */
+export type RidgeKind = 'both' | 'convex' | 'concave';
+
 export interface Settings {
   tau: number;
   /** null: the method's default. */
@@ -45,6 +48,20 @@ export interface Settings {
   /** Successive clicks at most this far apart count as one, mesh units; null: the method's
      default. */
   clickDistance: number | null;
+  /** The strength by which ridges attract the drawing, 0 to 1. */
+  ridges: number;
+  ridgeKind: RidgeKind;
+}
+
+/** The offset of the smoothed curves. */
+export interface OffsetSettings {
+  on: boolean;
+  /** The number of a curve of the drawing; null: all curves. */
+  of: number | null;
+  /** Along the surface, mesh units; above 0 while it is on. */
+  distance: number;
+  side: Side;
+  caps: Caps;
 }
 
 export interface Drawing {
@@ -52,6 +69,7 @@ export interface Drawing {
   /** The last curve is still being drawn. */
   unfinished: boolean;
   settings: Settings;
+  offset: OffsetSettings;
 }
 
 /** An opened mesh. The arrays are for display; picked faces are indices of `triangles`. */
@@ -102,6 +120,19 @@ export interface Repaired {
   changes: string[];
 }
 
+/** What ridges did to a drawing. */
+export interface RidgeReport {
+  /** The part of its length that was moved onto ridges, 0 to 1, and by how much. */
+  moved: number;
+  farthest: number;
+  /** The part that lay on ridges as it was drawn. */
+  already: number;
+  clicks: number;
+  farthestClick: number;
+  /** How far from the drawing ridges were looked for. */
+  band: number;
+}
+
 export interface CurveReport {
   length: number;
   drawnLength: number;
@@ -119,6 +150,8 @@ export interface CurveReport {
   termination: string;
   warnings: string[];
   decisive: Decisive[];
+  /** null: ridges did not attract the drawing. */
+  ridges: RidgeReport | null;
   /** The farthest place. */
   worst: Vec3 | null;
 }

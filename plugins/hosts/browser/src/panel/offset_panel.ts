@@ -1,7 +1,7 @@
 // The offset of the curves: its distance, curves and side, and its result.
-import type { Caps, Side } from '../engine/types';
+import type { Caps, OffsetSettings, Side } from '../engine/types';
 import type { OffsetWork } from '../actions/offset_work';
-import { nameOf, type OffsetSettings, type State } from '../state/state';
+import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { lengthText, numberText } from '../state/numbers';
 import { unitOf } from '../state/units';
@@ -17,23 +17,32 @@ export class OffsetPanel {
     input('offset-on').addEventListener('change', () => this.turn(input('offset-on').checked));
     const onChoice = (id: string, parts: (value: string) => Partial<OffsetSettings>) => {
       const box = byId<HTMLSelectElement>(id);
-      box.addEventListener('change', () => work.set(parts(box.value)));
+      box.addEventListener('change', () => this.set(parts(box.value)));
     };
     onChoice('offset-of', (of) => ({ of: of === '' ? null : Number(of) }));
     onChoice('offset-side', (side) => ({ side: side as Side }));
     onChoice('offset-caps', (caps) => ({ caps: caps as Caps }));
-    const set = (distance: number) => work.set({ distance });
     this.distance = new Slider(input('offset'), input('offset-number'),
       () => factors(this.edge() / 2, (store.now.mesh?.info.size ?? 1) / 2),
-      { begin: () => {}, slide: set, end: () => {}, write: set });
+      {
+        begin: () => work.grip(),
+        slide: (distance) => void work.set({ distance }),
+        end: () => work.release(),
+        write: (distance) => this.set({ distance }),
+      });
     store.watch((now, before) => {
-      if (changed(now, before, 'offset', 'offsets', 'drawing', 'smoothed', 'mesh')) this.update(now);
+      if (changed(now, before, 'offsets', 'drawing', 'smoothed', 'mesh')) this.update(now);
     });
   }
 
   private turn(on: boolean): void {
-    const { distance } = this.store.now.offset;
-    this.work.set({ on, distance: distance > 0 ? distance : Number((5 * this.edge()).toPrecision(2)) });
+    const { distance } = this.store.now.drawing.offset;
+    this.set({ on, distance: distance > 0 ? distance : Number((5 * this.edge()).toPrecision(2)) });
+  }
+
+  /** What was refused is shown as it is. */
+  private set(parts: Partial<OffsetSettings>): void {
+    if (!this.work.set(parts)) this.update(this.store.now);
   }
 
   private edge(): number {
@@ -41,7 +50,7 @@ export class OffsetPanel {
   }
 
   private update(state: State): void {
-    const { offset, offsets, smoothed, drawing } = state;
+    const { offsets, smoothed, drawing } = state, { offset } = drawing;
     input('offset-on').checked = offset.on;
     input('offset-on').disabled = !smoothed && !offset.on;
     byId('offset-settings').hidden = !offset.on;

@@ -3,6 +3,7 @@ import type { CurveReport } from '../engine/types';
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { angleText, lengthText, numberText } from '../state/numbers';
+import { ridgeText } from '../state/ridges';
 import { unitOf } from '../state/units';
 import { farthestText, farthestWhat } from '../state/verdict';
 import { worded } from '../state/wording';
@@ -43,6 +44,7 @@ function table(name: string, report: CurveReport, unit: string): HTMLTableElemen
     ['which is', report.farthest === 0 ? '' : farthestWhat[report.farthestOf]],
     ['on average', report.meanDeviation === null ? '–' : lengthText(report.meanDeviation, unit)],
   ];
+  if (report.ridges) rows.push(['ridges', ridgeText(report.ridges, unit)]);
   if (report.termination !== 'converged') rows.push(['ended', report.termination]);
   for (const [what, value] of rows.filter(([, text]) => text !== '')) {
     const row = made.insertRow();

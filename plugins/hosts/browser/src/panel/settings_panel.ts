@@ -1,44 +1,51 @@
 // The settings for all curves.
 import type { Editor } from '../engine/editor';
-import type { Ends } from '../engine/types';
+import type { Ends, RidgeKind } from '../engine/types';
 import { hasStrokes, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
 import { boundChooses, whySlackIsIdle, whyTauIsIdle } from '../state/idle';
+import { ridgesTold } from '../state/ridges';
 import { unitOf } from '../state/units';
 import { beyondBound, farthestText } from '../state/verdict';
 import { byId, input, numberIn, setBox, setText } from '../elements';
-import { factors, type Scale, Slider, squares } from './slider';
+import { factors, parts, type Scale, Slider, squares } from './slider';
 
 export class SettingsPanel {
   private readonly tau: Slider;
   private readonly slack: Slider;
   private readonly most: Slider;
+  private readonly ridges: Slider;
   private wasSeen = false;
 
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {
     this.tau = this.slider('tau', () => squares(10), (e, v) => e.setTau(v));
     this.slack = this.slider('slack', () => squares(this.size() / 20), (e, v) => e.setSlack(v));
     this.most = this.slider('most', () => this.mostScale(), (e, v) => e.setMaxDeviation(v));
+    this.ridges = this.slider('ridges', () => parts, (e, v) => e.setRidges(v));
     this.bindSwitch('slack-on', (e, on) => e.setSlack(on ? this.edge() : null));
     this.bindSwitch('most-on', (e, on) => e.setMaxDeviation(on ? this.edge() : null));
-    const method = byId<HTMLSelectElement>('method');
-    method.addEventListener('change', () => drawing.edit((e) => e.setPaper(method.value === 'paper')));
-    const ends = byId<HTMLSelectElement>('ends');
-    ends.addEventListener('change', () => drawing.edit((e) => e.setEnds(ends.value as Ends)));
+    this.bindChoice('method', (e, value) => e.setPaper(value === 'paper'));
+    this.bindChoice('ends', (e, value) => e.setEnds(value as Ends));
+    this.bindChoice('ridge-kind', (e, value) => e.setRidgeKind(value as RidgeKind));
     const clicks = input('click-distance');
     clicks.addEventListener('change', () => this.orBack(drawing.edit((e) => e.setClickDistance(numberIn(clicks)))));
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'mesh')) this.update(now);
-      if (changed(now, before, 'drawing', 'mesh', 'smoothed')) tellOfBound(now);
+      if (!changed(now, before, 'drawing', 'mesh', 'smoothed')) return;
+      tellOfBound(now);
+      setText('ridges-told', ridgesTold(now));
     });
   }
 
   private update({ drawing, mesh }: State): void {
-    const { tau, slack, maxDeviation, paper, ends, clickDistance } = drawing.settings;
+    const { tau, slack, maxDeviation, paper, ends, clickDistance, ridges, ridgeKind } = drawing.settings;
     byId<HTMLSelectElement>('method').value = paper ? 'paper' : 'fair';
     byId<HTMLSelectElement>('ends').value = ends;
+    byId<HTMLSelectElement>('ridge-kind').value = ridgeKind;
+    input('ridge-kind').disabled = !mesh || ridges === 0;
+    this.ridges.show(ridges, numberText(ridges), mesh !== null);
     setBox('click-distance', clickDistance === null ? '' : numberText(clickDistance));
     for (const id of ['method', 'ends', 'click-distance']) input(id).disabled = !mesh;
     byId('for-strokes').hidden = paper;
@@ -74,6 +81,11 @@ export class SettingsPanel {
         this.orBack(drawing.edit((e) => set(e, value)));
       },
     });
+  }
+
+  private bindChoice(id: string, set: (editor: Editor, value: string) => void): void {
+    const box = byId<HTMLSelectElement>(id);
+    box.addEventListener('change', () => this.drawing.edit((e) => set(e, box.value)));
   }
 
   private bindSwitch(id: string, set: (editor: Editor, on: boolean) => void): void {

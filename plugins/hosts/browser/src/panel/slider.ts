@@ -6,6 +6,9 @@ export interface Scale {
   position(value: number): number;
 }
 
+/** From 0 to 1. */
+export const parts: Scale = { value: (t) => rounded(t), position: (v) => Math.min(1, Math.max(0, v)) };
+
 /** Fine near 0: position t has the value most * t^2. */
 export function squares(most: number): Scale {
   return {

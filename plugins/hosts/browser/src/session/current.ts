@@ -4,7 +4,7 @@ import { sentenceOf } from '../actions/desk';
 import type { Live } from '../actions/live';
 import type { MeshWork } from '../actions/mesh_work';
 import type { Editor } from '../engine/editor';
-import { firstState, noOffset } from '../state/state';
+import { firstState } from '../state/state';
 import type { ViewCamera } from '../view/camera';
 import type { Session } from './session';
 
@@ -16,12 +16,12 @@ export class Current {
               private readonly camera: ViewCamera) {}
 
   session(): Session | null {
-    const { mesh, show, offset } = this.desk.store.now;
+    const { mesh, show } = this.desk.store.now;
     if (!mesh) return null;
     const { name, repaired, weld, unit, bytes, info: { faces } } = mesh;
     return {
       mesh: { name, repaired, weld, unit, bytes, faces }, drawing: this.desk.editor.state(),
-      camera: this.camera.state(), show, offset,
+      camera: this.camera.state(), show,
     };
   }
 
@@ -44,7 +44,7 @@ export class Current {
     try {
       if (editor) desk.editor = editor;
       else desk.editor.restore(session.drawing);
-      desk.store.set({ show: { ...firstState.show, ...session.show }, offset: session.offset ?? noOffset });
+      desk.store.set({ show: { ...firstState.show, ...session.show } });
       this.camera.restore(session.camera);
       this.live.refresh();
     } catch (error) {

@@ -1,6 +1,6 @@
 // A session is the user's work: the mesh, the drawing, and the view. A value.
 import type { CameraState } from '../view/camera';
-import type { OffsetSettings, Opening, Show } from '../state/state';
+import type { Opening, Show } from '../state/state';
 import { packed, unpacked } from './bytes';
 
 export interface Session {
@@ -11,7 +11,6 @@ export interface Session {
   drawing: string;
   camera: CameraState;
   show: Show;
-  offset?: OffsetSettings;
 }
 
 const format = 'talweg-session';
@@ -41,11 +40,11 @@ export async function sessionOf(name: string, text: string): Promise<Session> {
   }
   if (read.format !== format) throw new Error(`${name} is no session of Talweg: its "format" is not "${format}".`);
   if (read.version !== 1) throw new Error(`${name} has version ${String(read.version)}; this page reads version 1.`);
-  const { mesh, drawing, camera, show, offset } = read as unknown as Omit<Session, 'mesh'> & {
+  const { mesh, drawing, camera, show } = read as unknown as Omit<Session, 'mesh'> & {
     mesh: (Opening & { name: string; bytes: string; faces?: number }) | null;
   };
   try {
-    return { mesh: mesh ? { ...mesh, bytes: await bytesOf(mesh.bytes) } : null, drawing, camera, show, offset };
+    return { mesh: mesh ? { ...mesh, bytes: await bytesOf(mesh.bytes) } : null, drawing, camera, show };
   } catch {
     throw new Error(`${name} is damaged: its mesh cannot be unpacked.`);
   }

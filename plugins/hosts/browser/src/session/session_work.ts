@@ -30,7 +30,7 @@ export class SessionWork {
         byId('other-tab').hidden = !now.otherTab;
       }
       if (now === before) return;
-      if (changed(now, before, 'drawing', 'mesh', 'show', 'offset') && now.mesh) this.soon();
+      if (changed(now, before, 'drawing', 'mesh', 'show') && now.mesh) this.soon();
       // Packing a mesh takes time, so it begins before the page may be left.
       if (now.mesh && now.mesh.bytes !== before.mesh?.bytes) setTimeout(() => void this.keepNow());
     });

@@ -1,6 +1,6 @@
 // The state of the page, as one value. Its parts are replaced, never changed in place.
 import type {
-  Caps, Curve, CutResult, Drawing, Line, MeshInfo, Offset, Side, Smoothed, Vec3,
+  Curve, CutResult, Drawing, Line, MeshInfo, Offset, OffsetSettings, Smoothed, Vec3,
 } from '../engine/types';
 import type { Aside } from '../session/asides';
 
@@ -47,17 +47,6 @@ export interface Show {
   lengths: boolean;
 }
 
-/** The offset of the smoothed curves. */
-export interface OffsetSettings {
-  on: boolean;
-  /** The number of a curve of the drawing; null: all curves. */
-  of: number | null;
-  /** Along the surface, mesh units. */
-  distance: number;
-  side: Side;
-  caps: Caps;
-}
-
 export interface Chosen {
   curve: number;
   /** null: the whole curve. */
@@ -92,8 +81,7 @@ export interface State {
   /** The next leg, from the last point to the mouse; three numbers per point. */
   leg: Float64Array | null;
   combs: Comb[];
-  offset: OffsetSettings;
-  /** The result of the offset; null without one. */
+  /** The result of the drawing's offset; null without one. */
   offsets: Offset | null;
   cut: CutResult | null;
   /** The part of the cut that is kept alone; null: all parts are shown. */
@@ -112,14 +100,18 @@ export interface State {
   otherTab: boolean;
 }
 
+/** The distance is chosen for the mesh. */
+const noOffset: OffsetSettings = { on: false, of: null, distance: 0, side: 'both', caps: 'round' };
+
 export const emptyDrawing: Drawing = {
   curves: [],
   unfinished: false,
-  settings: { tau: 1, slack: null, maxDeviation: null, paper: false, ends: 'auto', clickDistance: null },
+  settings: {
+    tau: 1, slack: null, maxDeviation: null, paper: false, ends: 'auto', clickDistance: null, ridges: 0,
+    ridgeKind: 'both',
+  },
+  offset: noOffset,
 };
-
-/** The distance is chosen from the mesh later. */
-export const noOffset: OffsetSettings = { on: false, of: null, distance: 0, side: 'both', caps: 'round' };
 
 export const firstState: State = {
   mesh: null,
@@ -134,7 +126,6 @@ export const firstState: State = {
   smoothed: null,
   leg: null,
   combs: [],
-  offset: noOffset,
   offsets: null,
   cut: null,
   kept: null,

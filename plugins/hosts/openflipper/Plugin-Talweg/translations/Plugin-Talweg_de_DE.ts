@@ -4,6 +4,14 @@
 <context>
     <name>Edits</name>
     <message>
+        <source>Kind of ridges</source>
+        <translation>Art der Grate</translation>
+    </message>
+    <message>
+        <source>Snap to ridges</source>
+        <translation>An Grate ziehen</translation>
+    </message>
+    <message>
         <source>Add curve</source>
         <translation>Kurve hinzufügen</translation>
     </message>
@@ -212,6 +220,22 @@
 </context>
 <context>
     <name>ScriptHelp</name>
+    <message>
+        <source>How strongly ridges beside the drawing attract it.</source>
+        <translation>Wie stark Grate neben der Zeichnung sie anziehen.</translation>
+    </message>
+    <message>
+        <source>;0 (not at all) to 1</source>
+        <translation>;0 (gar nicht) bis 1</translation>
+    </message>
+    <message>
+        <source>What attracts the drawing.</source>
+        <translation>Was die Zeichnung anzieht.</translation>
+    </message>
+    <message>
+        <source>;both, convex: ridges, concave: valleys</source>
+        <translation>;both: beide, convex: Grate, concave: Täler</translation>
+    </message>
     <message>
         <source>Adds curves at a distance along the surface from the selected one, or from all, and returns their ids.</source>
         <translation>Fügt Kurven in einem Abstand entlang der Fläche von der gewählten oder von allen hinzu und gibt ihre Nummern zurück.</translation>
@@ -974,6 +998,34 @@
     <message>
         <source>Clicks that follow each other within this distance are one, in mesh units. Unticked: an edge of the mesh.</source>
         <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Grate</translation>
+    </message>
+    <message>
+        <source>How strongly ridges and valleys beside the drawing attract it: 0 not at all, 0.3 sharp edges only, 1 weak ones, too.</source>
+        <translation>Wie stark Grate und Täler neben der Zeichnung sie anziehen: 0 gar nicht, 0,3 nur scharfe Kanten, 1 auch schwache.</translation>
+    </message>
+    <message>
+        <source>Snap to</source>
+        <translation>Anziehen</translation>
+    </message>
+    <message>
+        <source>Ridges and valleys</source>
+        <translation>Grate und Täler</translation>
+    </message>
+    <message>
+        <source>Ridges, which stand out</source>
+        <translation>Grate, die vorstehen</translation>
+    </message>
+    <message>
+        <source>Valleys</source>
+        <translation>Täler</translation>
+    </message>
+    <message>
+        <source>What attracts the drawing.</source>
+        <translation>Was die Zeichnung anzieht.</translation>
     </message>
     <message>
         <source>Returning strokes are loops</source>
