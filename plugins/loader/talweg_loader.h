@@ -8,6 +8,8 @@
  *   3. the folder that plugins were installed in when the loader was built.
  * Of plugins with the same id the first one counts. Files that end in .so are looked at, in the
  * order of their names. Libraries are loaded with RTLD_NOW | RTLD_LOCAL.
+ * On Windows ';' separates folders, files end in .dll, libraries that a plugin needs may lie beside it,
+ * and there is no third place.
  *
  * A file that cannot be used is refused with a reason, and the search goes on.
  */
