@@ -1,6 +1,6 @@
 #include "talweg/heat/process_lock.hpp"
 
-#if __has_include(<sys/file.h>)
+#if __has_include(<sys/file.h>) && !defined(_WIN32)  // whose rand() has a state for each thread
 #include <cerrno>
 
 #include <fcntl.h>

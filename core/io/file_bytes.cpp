@@ -3,13 +3,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <memory>
+#include <optional>
 #include <system_error>
 
-#include <sys/stat.h>
-#include <unistd.h>
-
+#include "talweg/core/system/files.hpp"
+#include "talweg/core/system/process.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -17,26 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Close {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
-
 constexpr std::size_t kLargestFile = std::size_t{1} << 31;
 constexpr const char* kTooLarge = "it is larger than 2 GiB";
 constexpr int kTemporaryNames = 1000;
 
-struct stat status_of(std::FILE& file) {
-  struct stat status {};
-  static_cast<void>(fstat(fileno(&file), &status));
-  return status;
-}
-
 /// Detects that a file was written during reading. A mixture of the old and the new file could pass
 /// as a mesh.
-bool changed(const struct stat& before, const struct stat& now) {
-  return before.st_size != now.st_size || before.st_mtim.tv_sec != now.st_mtim.tv_sec ||
-         before.st_mtim.tv_nsec != now.st_mtim.tv_nsec;
+bool changed(const FileStatus& before, const FileStatus& now) {
+  return before.size != now.size || before.written != now.written;
 }
 
 /// Writes the bytes. Returns the reason of a failure; empty on success.
@@ -46,7 +32,7 @@ std::string put(File file, std::string_view bytes) {
   const int write_errno = errno;
   const bool closed = std::fclose(file.release()) == 0;
   if (written && closed) return {};
-  return std::strerror(written ? errno : write_errno);
+  return reason_of(written ? errno : write_errno);
 }
 
 /// The file to replace: the target of a symbolic link, otherwise the path itself.
@@ -61,8 +47,8 @@ fs::path target_of(const fs::path& path) {
 File open_beside(const fs::path& target, fs::path& temporary) {
   for (int k = 0; k < kTemporaryNames; ++k) {
     temporary = target;
-    temporary += ".tmp" + std::to_string(getpid()) + "-" + std::to_string(k);
-    File file(std::fopen(temporary.c_str(), "wbx"));
+    temporary += ".tmp" + std::to_string(process_number()) + "-" + std::to_string(k);
+    File file = open_file(temporary, FileUse::kNew);
     if (file || errno != EEXIST) return file;
   }
   return nullptr;
@@ -79,23 +65,22 @@ void cannot_write(const fs::path& path, const std::string& what) {
 }
 
 std::string read_file(const fs::path& path) {
-  std::error_code status;
-  if (fs::is_directory(path, status)) cannot_read(path, "it is a directory");
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) cannot_read(path, std::strerror(errno));
+  const std::optional<FileStatus> found = file_status(path);
+  if (found && found->kind == FileKind::kFolder) cannot_read(path, "it is a directory");
+  const File file = open_file(path, FileUse::kRead);
+  if (!file) cannot_read(path, reason_of(errno));
   std::string bytes;
   // Reserves memory if the size is known, to avoid copies; a pipe has no size.
-  const struct stat before = status_of(*file);
-  const auto size = static_cast<std::size_t>(before.st_size);
-  if (size > kLargestFile) cannot_read(path, kTooLarge);
-  bytes.reserve(size);
+  const FileStatus before = file_status(*file);
+  if (before.size > kLargestFile) cannot_read(path, kTooLarge);
+  bytes.reserve(static_cast<std::size_t>(before.size));
   char block[1 << 16];
   for (std::size_t got; (got = std::fread(block, 1, sizeof block, file.get())) > 0;) {
     bytes.append(block, got);
     if (bytes.size() > kLargestFile) cannot_read(path, kTooLarge);
   }
-  if (std::ferror(file.get())) cannot_read(path, std::strerror(errno));
-  if (S_ISREG(before.st_mode) && changed(before, status_of(*file))) {
+  if (std::ferror(file.get())) cannot_read(path, reason_of(errno));
+  if (before.kind == FileKind::kRegular && changed(before, file_status(*file))) {
     cannot_read(path, "it changed while it was being read");
   }
   if (bytes.empty()) cannot_read(path, "the file is empty");
@@ -103,43 +88,36 @@ std::string read_file(const fs::path& path) {
 }
 
 void check_writable(const fs::path& path) {
-  std::error_code status;
-  const bool exists = fs::exists(path, status);
-  if (exists && fs::is_directory(path, status)) cannot_write(path, "it is a directory");
-  if (exists && !fs::is_regular_file(path, status)) {
-    if (access(path.c_str(), W_OK) != 0) cannot_write(path, std::strerror(errno));
+  const std::optional<FileStatus> found = file_status(path);
+  if (found && found->kind == FileKind::kFolder) cannot_write(path, "it is a directory");
+  if (found && found->kind != FileKind::kRegular) {
+    if (!may_write(path)) cannot_write(path, reason_of(errno));
     return;
   }
   if (!path.has_filename()) cannot_write(path, "it is the name of a directory");
   fs::path temporary;
-  const File file = open_beside(target_of(path), temporary);
-  if (!file) cannot_write(path, std::strerror(errno));
-  fs::remove(temporary, status);
+  const bool opened = open_beside(target_of(path), temporary) != nullptr;
+  if (!opened) cannot_write(path, reason_of(errno));
+  remove_file(temporary);
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
-  std::error_code status;
-  const bool exists = fs::exists(path, status);
-  if (exists && fs::is_directory(path, status)) cannot_write(path, "it is a directory");
-  if (exists && !fs::is_regular_file(path, status)) {
-    File file(std::fopen(path.c_str(), "wb"));
-    const std::string reason = file ? put(std::move(file), bytes) : std::strerror(errno);
+  const std::optional<FileStatus> found = file_status(path);
+  if (found && found->kind == FileKind::kFolder) cannot_write(path, "it is a directory");
+  if (found && found->kind != FileKind::kRegular) {
+    File file = open_file(path, FileUse::kWrite);
+    const std::string reason = file ? put(std::move(file), bytes) : reason_of(errno);
     if (!reason.empty()) cannot_write(path, reason);
     return;
   }
   const fs::path target = target_of(path);
   fs::path temporary;
   File file = open_beside(target, temporary);
-  if (!file) cannot_write(path, std::strerror(errno));
+  if (!file) cannot_write(path, reason_of(errno));
   std::string reason = put(std::move(file), bytes);
-  if (reason.empty()) {
-    std::error_code failed;
-    if (exists) fs::permissions(temporary, fs::status(target).permissions(), failed);
-    fs::rename(temporary, target, failed);
-    if (failed) reason = failed.message();
-  }
+  if (reason.empty()) reason = take_place(temporary, target);
   if (reason.empty()) return;
-  fs::remove(temporary, status);
+  remove_file(temporary);
   cannot_write(path, reason);
 }
 

@@ -18,7 +18,7 @@ constexpr std::uint64_t kEndSize = 22;
 constexpr std::uint32_t kNarrow = 0xFFFFFFFFU;  // the extra field has the number, in 64 bits
 
 /// Unpacks raw deflate data of known size; empty if the data are damaged.
-std::string unpacked(std::string_view packed, std::uint64_t size) {
+std::string inflated(std::string_view packed, std::uint64_t size) {
   std::string result;
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) return result;
@@ -124,7 +124,7 @@ std::string ZipArchive::read(const std::string& name) const {
     fail(fmt::format("{} is said to have {} bytes, which is impossible or more than 2 GiB",
                      printable(name), entry.size));
   }
-  std::string bytes = entry.method == 0 ? std::string(packed) : unpacked(packed, entry.size);
+  std::string bytes = entry.method == 0 ? std::string(packed) : inflated(packed, entry.size);
   const auto* data = reinterpret_cast<const Bytef*>(bytes.data());
   if (bytes.size() != entry.size || crc32(0, data, static_cast<uInt>(bytes.size())) != entry.sum) {
     fail(fmt::format("{} in the zip archive is damaged", printable(name)));

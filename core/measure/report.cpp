@@ -6,9 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/resource.h>
-#endif
+#include "talweg/core/system/process.hpp"
 
 namespace talweg {
 namespace {
@@ -251,16 +249,6 @@ std::string to_json(const SmoothingReport& total, const std::vector<SmoothingRep
   return to_json(entries_of(total), entries);
 }
 
-double peak_memory_mib() {
-#if defined(__APPLE__)
-  rusage usage{};
-  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1048576 : 0;
-#elif defined(__unix__)
-  rusage usage{};
-  return getrusage(RUSAGE_SELF, &usage) == 0 ? static_cast<double>(usage.ru_maxrss) / 1024 : 0;
-#else
-  return 0;
-#endif
-}
+double peak_memory_mib() { return static_cast<double>(peak_memory_bytes()) / 1048576; }
 
 }  // namespace talweg

@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kRounding = 1e-6;  // mean edges: nearer than any two intended points
+constexpr double kLeastMiss = 1e-6;  // mean edges: nearer than any two intended points
 
 /// Way-points, and pins and corners as way-points without a tolerance.
 std::vector<WayPoint> points_to_pass(const CurveOptions& options) {
@@ -39,7 +39,7 @@ Missed missed_by(const SurfaceMesh& mesh, DeviationMeter& meter, const SurfaceCu
   for (const WayPoint& way : to_pass) {
     if (!on_drawn.contains(way.point) || on_result.contains(way.point)) continue;
     points.push_back(way.point);
-    limits.push_back(way.tolerance + kRounding * mesh.mean_edge_length());
+    limits.push_back(way.tolerance + kLeastMiss * mesh.mean_edge_length());
   }
   Missed missed;
   if (points.empty()) return missed;

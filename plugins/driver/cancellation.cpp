@@ -2,23 +2,23 @@
 
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 
 #include "commands.hpp"
+#include "console.hpp"
 
 namespace talweg::driver {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Time of the first signal; 0 if none came. Any thread may read it; it is lock-free for the signal
-// handler.
+// Time of the first interrupt; 0 if none came. Any thread may read it; it is lock-free for signal
+// handlers.
 std::atomic<std::int64_t> g_interrupted_at = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-extern "C" void on_interrupt(int /*signal*/) {
+void on_interrupt() {
   const auto now = std::chrono::nanoseconds(Clock::now().time_since_epoch());
   std::int64_t first = 0;
   if (g_interrupted_at.compare_exchange_strong(first, now.count())) return;
@@ -29,12 +29,7 @@ extern "C" void on_interrupt(int /*signal*/) {
 
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  // A file that exceeds the size limit (ulimit -f) then gives a write error with a message.
-  std::signal(SIGXFSZ, SIG_IGN);
-}
+void catch_interrupts() { at_interrupts(on_interrupt); }
 
 bool interrupted() { return g_interrupted_at != 0; }
 

@@ -3,8 +3,8 @@
 
 namespace talweg::driver {
 
-/// After this call the first SIGINT or SIGTERM only raises the flag below; another one, half a
-/// second later or more, ends the process at once. SIGXFSZ is ignored.
+/// After this call the first Ctrl-C or request to end only raises the flag below; another one, half
+/// a second later or more, ends the process at once.
 void catch_interrupts();
 bool interrupted();
 

@@ -2,32 +2,23 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "output_file.hpp"
 #include "talweg/core/io/file_bytes.hpp"
+#include "talweg/core/system/files.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Status = struct stat;
-
-std::optional<Status> status_of(const fs::path& path) {
-  Status status{};
-  if (stat(path.c_str(), &status) != 0) return std::nullopt;
-  return status;
-}
 
 /// The target of a link, even if it does not exist yet.
 fs::path behind_links(fs::path path) {
@@ -46,7 +37,7 @@ fs::path behind_links(fs::path path) {
 fs::path folder_above(fs::path path) {
   do {
     path = path.parent_path();
-  } while (!status_of(path) && path.has_relative_path());
+  } while (!file_status(path) && path.has_relative_path());
   return path;
 }
 
@@ -74,27 +65,26 @@ void FilePlan::at(const std::string& list, const std::string& place) {
 }
 
 FilePlan::Identity FilePlan::identity_of(const std::string& path, bool& device) {
-  const auto of = [&](const Status& status) {
-    device = S_ISCHR(status.st_mode);
-    return Identity{static_cast<std::uint64_t>(status.st_dev),
-                    static_cast<std::uint64_t>(status.st_ino), ""};
+  const auto of = [&](const FileStatus& status) {
+    device = status.kind == FileKind::kDevice;
+    return Identity{status.device, status.number, ""};
   };
-  Status standard{};
   if (is_standard_output(path)) {
-    return fstat(STDOUT_FILENO, &standard) == 0 ? of(standard) : Identity{0, 0, "-"};
+    const FileStatus standard = file_status(*stdout);
+    return standard.device != 0 ? of(standard) : Identity{0, 0, "-"};
   }
   std::error_code failed;
   const fs::path full = behind_links(fs::absolute(path, failed));
-  if (const auto status = status_of(full)) return of(*status);
+  if (const auto status = file_status(full)) return of(*status);
   // A folder that will be made may be followed by "..": absent/../mesh.ply.
   fs::path plain = fs::weakly_canonical(full, failed);
   if (failed) plain = full.lexically_normal();
-  if (const auto status = status_of(plain)) return of(*status);
+  if (const auto status = file_status(plain)) return of(*status);
   const fs::path folder = folder_above(plain);
   Identity identity;
-  if (const auto status = status_of(folder)) identity = of(*status);
+  if (const auto status = file_status(folder)) identity = of(*status);
   device = false;
-  identity.way = plain.lexically_relative(folder).string();
+  identity.way = common_spelling(plain.lexically_relative(folder)).string();
   return identity;
 }
 
@@ -163,7 +153,7 @@ void FilePlan::check_collisions() const {
   std::map<Identity, const File*> read, written;
   for (const File& input : inputs_) read.emplace(input.identity, &input);
   bool is_device = false;
-  const Identity null = identity_of("/dev/null", is_device);
+  const Identity null = identity_of(null_device(), is_device);
   const File* standard = nullptr;
   for (const File& output : outputs_) {
     const auto input = read.find(output.identity);
@@ -210,23 +200,23 @@ void FilePlan::check_target(const File& output, TriedNames& tried) const {
   std::error_code failed;
   if (makes_folders_) {
     const fs::path folder = fs::absolute(output.path, failed).parent_path();
-    const fs::path above = status_of(folder) ? folder : folder_above(folder);
+    const fs::path above = file_status(folder) ? folder : folder_above(folder);
     if (above != folder) {
-      const auto status = status_of(above);
-      if (status && !S_ISDIR(status->st_mode)) {
+      const auto status = file_status(above);
+      if (status && status->kind != FileKind::kFolder) {
         cannot_write(output.path, above.string() + " is not a directory");
       }
-      if (access(above.c_str(), W_OK | X_OK) != 0) cannot_write(output.path, std::strerror(errno));
+      if (!may_write(above)) cannot_write(output.path, reason_of(errno));
       return;
     }
   }
   // Trying creates a file. Once for each folder is enough, unless a name is longer.
   const fs::path path(output.path);
-  const auto status = status_of(path);
+  const auto status = file_status(path);
   std::size_t& longest = tried[fs::absolute(path, failed).parent_path().string()];
   const std::size_t length = path.filename().string().size();
-  const bool is_file =
-      (!status || S_ISREG(status->st_mode)) && !fs::is_symlink(path, failed) && length > 0;
+  const bool is_file = (!status || status->kind == FileKind::kRegular) &&
+                       !fs::is_symlink(path, failed) && length > 0;
   if (is_file && length <= longest) return;
   check_writable(path);
   longest = std::max(longest, length);

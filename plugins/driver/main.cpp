@@ -11,6 +11,7 @@
 
 #include "cancellation.hpp"
 #include "commands.hpp"
+#include "console.hpp"
 #include "failure.hpp"
 #include "progress_bar.hpp"
 #include "suggestion.hpp"
@@ -51,12 +52,13 @@ const CLI::App* given_command(const CLI::App& app) {
   return given.empty() ? &app : given.back();
 }
 
-int run(int argc, char** argv) {
+int run(const std::vector<std::string>& words) {
   CLI::App app("Curves on triangle meshes: draw, smooth while staying close, measure.", "talweg");
   app.set_version_flag(
       "--version", [] { return fmt::format("talweg {}\n{}", version(), factor_libraries()); },
       "Print the version, and the libraries that solve linear systems");
   app.fallthrough();
+  app.allow_windows_style_options(false);  // "/tmp/mesh.ply" is a file everywhere
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
       "result is written), 4 cancelled, 5 internal error.\n"
@@ -94,7 +96,8 @@ int run(int argc, char** argv) {
   add(add_run);
   add(add_completion);
   app.allow_extras();  // unknown arguments get our own message
-  check_values(app, std::vector<std::string>(argv + 1, argv + argc));
+  const std::vector<std::string> arguments(words.begin() + 1, words.end());
+  check_values(app, arguments);
   // An unknown word is reported before the word that is missing because of it.
   const auto check_all_taken = [&app] {
     for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // has its own
@@ -102,7 +105,7 @@ int run(int argc, char** argv) {
     }
   };
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::Success& asked) {
     return printed(app.exit(asked));  // --help, --version
   } catch (const CLI::ParseError& error) {
@@ -183,7 +186,7 @@ void refuse_unexpected(const CLI::App& app, const std::string& argument) {
 int main(int argc, char** argv) {
   using namespace talweg::driver;
   try {
-    return run(argc, argv);
+    return run(command_line(argc, argv));
   } catch (...) {
     const Failure failure = current_failure();
     const int code = fail(failure.code, failure.message);

@@ -6,17 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "in_place.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
 
 /// "-" is the standard output; so is "-.vtp", whose ending chooses the format as a file's does.
 bool is_standard_output(std::string_view path);
-
-/// Thrown if a signal came while an output waited for its reader.
-struct WaitCancelled {
-  std::string path;
-};
 
 /// Writes a file as write_file() does, or the standard output; a pipe waits for its reader.
 /// Throws Error(kBadFile) naming path and reason, and WaitCancelled.

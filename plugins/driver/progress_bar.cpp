@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "cancellation.hpp"
+#include "console.hpp"
 
 namespace talweg::driver {
 namespace {
@@ -43,7 +43,7 @@ std::string clock_text(double seconds) {
 }  // namespace
 
 Progress progress_bar(bool quiet) {
-  const bool visible = !quiet && isatty(STDERR_FILENO) != 0;
+  const bool visible = !quiet && is_terminal(*stderr);
   return [visible, next = Clock::now() + kFirst](const char* stage, double fraction) mutable {
     if (visible && Clock::now() >= next) {
       put_line(fmt::format("{:<10} {}", stage, bar(fraction)));
@@ -64,7 +64,7 @@ std::string count_text(std::size_t done, std::size_t failed, std::size_t total, 
 }
 
 CountedBar::CountedBar(std::size_t total, bool quiet)
-    : total_(total), visible_(!quiet && isatty(STDERR_FILENO) != 0), next_(start_ + kFirst) {}
+    : total_(total), visible_(!quiet && is_terminal(*stderr)), next_(start_ + kFirst) {}
 
 void CountedBar::done(bool failed) {
   const std::lock_guard lock(mutex_);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -44,8 +44,8 @@ RunJournal::RunJournal(std::string summary, bool resume)
   std::string kept = summary_header();
   for (const auto& [stamps, run] : earlier_) kept += summary_lines(run);
   write_file(path_, kept);
-  file_.reset(std::fopen(path_.c_str(), "ab"));
-  if (!file_) cannot_write(path_, std::strerror(errno));
+  file_ = open_file(path_, FileUse::kAppend);
+  if (!file_) cannot_write(path_, reason_of(errno));
 }
 
 void RunJournal::read(const std::string& path) {
@@ -77,7 +77,7 @@ void RunJournal::add(const SummaryRun& run) {
   // In one piece, so that a killed program leaves whole runs.
   if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) != lines.size() ||
       std::fflush(file_.get()) != 0) {
-    cannot_write(path_, std::strerror(errno));
+    cannot_write(path_, reason_of(errno));
   }
 }
 

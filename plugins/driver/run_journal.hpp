@@ -3,14 +3,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdio>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 
 #include "summary_table.hpp"
+#include "talweg/core/system/files.hpp"
 
 namespace talweg::driver {
 
@@ -36,16 +35,12 @@ class RunJournal {
   void close();
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
   void read(const std::string& path);
 
   std::string summary_, path_, other_table_;
   std::map<std::pair<std::string, std::string>, SummaryRun> earlier_;
   std::mutex mutex_;
-  std::unique_ptr<std::FILE, Close> file_;
+  File file_;
 };
 
 /// The name of the journal of a summary; empty for a summary that is no file, but a pipe or

@@ -44,7 +44,7 @@ std::string hash_of_file(const std::string& path) {
   constexpr std::size_t kBlock = 1 << 20;
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) return {};
-  std::ifstream in(path, std::ios::binary);
+  std::ifstream in(fs::path(path), std::ios::binary);
   Hash hash;
   for (std::vector<char> block(kBlock); in;) {
     in.read(block.data(), static_cast<std::streamsize>(block.size()));

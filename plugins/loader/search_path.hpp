@@ -6,7 +6,7 @@
 
 namespace talweg::loader {
 
-/// Splits "a:b" into its folders; empty ones are left out.
+/// Splits "a:b" (on Windows "a;b") into its folders; empty ones are left out.
 std::vector<std::string> split(const std::string& folders);
 
 /// The folders from the environment, those relative to the program, and the installed one, without

@@ -12,6 +12,7 @@
 #include "module_check.hpp"
 #include "search_path.hpp"
 #include "shared_library.hpp"
+#include "system.hpp"
 
 /// The result of a search.
 struct talweg_loader {
@@ -38,7 +39,8 @@ void talweg_loader::look_through(const std::string& folder) {
   std::error_code error;
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (entry->path().extension() == ".so") paths.push_back(entry->path().string());
+    if (entry->path().extension() == talweg::loader::kPluginEnding)
+      paths.push_back(entry->path().string());
   }
   std::sort(paths.begin(), paths.end());
   for (const std::string& path : paths) {
@@ -99,7 +101,8 @@ talweg_loader* opened(const talweg_linked_module* modules, std::uint64_t count, 
     auto loader = std::make_unique<talweg_loader>();
     for (std::uint64_t k = 0; k < count; ++k) loader->take(modules[k].entry, modules[k].name);
     for (const std::string& folder : folders()) {
-      loader->folders.append(loader->folders.empty() ? "" : ":").append(folder);
+      if (!loader->folders.empty()) loader->folders += talweg::loader::kBetweenFolders;
+      loader->folders += folder;
       loader->look_through(folder);
     }
     return loader.release();

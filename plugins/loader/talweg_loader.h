@@ -8,6 +8,8 @@
  *   3. the folder for installed plugins, fixed when the loader was built.
  * Of plugins with the same id the first is used. Files that end in .so are loaded in the order of
  * their names. Libraries are loaded with RTLD_NOW | RTLD_LOCAL.
+ * On Windows ';' separates folders, files end in .dll, a plugin's libraries may lie beside the plugin,
+ * and there is no third folder.
  *
  * An unusable file is refused with a reason, and the search continues.
  */

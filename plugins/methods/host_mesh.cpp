@@ -1,8 +1,10 @@
 #include "host_mesh.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,11 +69,6 @@ namespace {
 /// next does not open it again.
 class LastOpened {
  public:
-  constexpr LastOpened() : mesh_() {}
-  ~LastOpened() {}  // NOLINT(modernize-use-equals-default): close() has done it
-  LastOpened(const LastOpened&) = delete;
-  LastOpened& operator=(const LastOpened&) = delete;
-
   std::shared_ptr<const HostMesh> get() {
     const std::scoped_lock lock(mutex_);
     return closed_ ? nullptr : mesh_.lock();
@@ -90,17 +87,21 @@ class LastOpened {
  private:
   std::mutex mutex_;
   bool closed_ = false;
-  union {  // so that it is there as long as the memory
-    std::weak_ptr<const HostMesh> mesh_;
-  };
+  std::weak_ptr<const HostMesh> mesh_;
 };
+
+/// Is there as long as the plugin's memory, since it is never destroyed.
+LastOpened& last_opened() {
+  alignas(LastOpened) static std::byte place[sizeof(LastOpened)];
+  static LastOpened& made = *new (place) LastOpened;
+  return made;
+}
 
 /// It is there before a host has the plugin's table, so it goes after what the host ends at its
 /// exit, such as a thread that opens a mesh.
-constinit LastOpened last_opened;
 struct CloseLastOpened {
-  CloseLastOpened() = default;
-  ~CloseLastOpened() { last_opened.close(); }
+  CloseLastOpened() { last_opened(); }
+  ~CloseLastOpened() { last_opened().close(); }
   CloseLastOpened(const CloseLastOpened&) = delete;
   CloseLastOpened& operator=(const CloseLastOpened&) = delete;
 };
@@ -116,9 +117,9 @@ bool same_bits(std::span<const Point> a, std::span<const Point> b) {
 
 std::shared_ptr<const HostMesh> HostMesh::open(MeshLists lists,
                                                const std::optional<RepairSteps>& steps) {
-  if (auto last = last_opened.get(); last && last->is_of(lists, steps)) return last;
+  if (auto last = last_opened().get(); last && last->is_of(lists, steps)) return last;
   auto mesh = open_anew(std::move(lists), steps);
-  last_opened.put(mesh);
+  last_opened().put(mesh);
   return mesh;
 }
 

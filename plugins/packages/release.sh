@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# release.sh OUT: everything that is given away, in OUT/out: wheel, source distribution, archive, Blender
-# add-on, ParaView plugin and Debian packages (for the ParaView and the Debian that are here), the page
-# (where ./run page has made it), sources of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes.
+# release.sh OUT [windows]: everything that is given away, in OUT/out: wheels, source distribution, archives and Blender
+# add-ons, for Linux and (where mingw-w64's g++ is) for Windows, ParaView plugin and Debian packages (for the
+# ParaView and the Debian that are here), the page (where ./run page has made it), sources of the OpenFlipper
+# plugin; SHA256 sums, an SPDX list, notes. With "windows" only the files for Windows, which needs no root.
 # Two runs give the same bytes. Needs root, debootstrap and the network for the first run, g++-12, cmake,
 # ninja, dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
 set -euo pipefail
@@ -34,15 +35,14 @@ packed() {
     -C "$(dirname "$1")" -cf - "$(basename "$1")" | gzip -9n >"$2"
 }
 
+# wheel PLUGINS TAG: the Python package with plugins for one kind of system.
 wheel() {
-  local source=$work/python plugins=$work/portable/tree/lib/talweg/plugins
+  local source=$work/python
   rm -rf "$source"
   cp -r "$project/plugins/hosts/python" "$source"
   find "$source" -name __pycache__ -prune -exec rm -rf {} +
   cp "$project/LICENSE" "$source"
-  TALWEG_WHEEL_TAG=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
-  export TALWEG_WHEEL_TAG
-  (cd "$source" && TALWEG_PLUGIN_PATH=$plugins /usr/bin/python3 -c \
+  (cd "$source" && TALWEG_PLUGIN_PATH=$1 TALWEG_WHEEL_TAG=$2 /usr/bin/python3 -c \
     "from setuptools import build_meta; build_meta.build_wheel('$out')") >"$work/wheel.log" 2>&1 ||
     { tail -n 10 "$work/wheel.log" >&2; exit 1; }
 }
@@ -65,19 +65,33 @@ archive() {
   packed "$plugin" "$out/talweg-openflipper-$version.tar.gz"
 }
 
-blender() { # the add-on, with the plugins that run anywhere
+has_mingw() { command -v x86_64-w64-mingw32-g++-posix >/dev/null; }
+
+windows() { # program, plugins, loader with headers; wheel; Blender add-on
+  local tree=$work/talweg-$version-windows-x86_64 plugins=$work/windows/tree/lib/talweg/plugins
+  "$here/windows/build.sh" "$work/sources/suitesparse-5.12.0+dfsg" "$work/windows"
+  rm -rf "$tree"
+  cp -r "$work/windows/tree" "$tree"
+  cp "$project"/{LICENSE,CHANGELOG.md,CITATION.cff} "$tree"
+  python3 "$here/same_zip.py" "$tree" "$out/talweg-$version-windows-x86_64.zip" "$SOURCE_DATE_EPOCH"
+  wheel "$plugins" win_amd64
+  blender "$plugins" "talweg_blender-$version-windows.zip"
+}
+
+# blender PLUGINS FILE: the add-on with these plugins.
+blender() {
   local stage=$work/blender addon=$work/blender/talweg_blender
   rm -rf "$stage"
   mkdir "$stage"
   cp -r "$project/plugins/hosts/blender/talweg_blender" "$addon"
   cp -r "$project/plugins/hosts/python/talweg" "$addon/talweg"
   find "$stage" -name __pycache__ -prune -exec rm -rf {} +
-  cp -r "$work/portable/tree/lib/talweg/plugins" "$addon/talweg/plugins"
+  cp -r "$1" "$addon/talweg/plugins"
   cp "$project/LICENSE" "$addon"
   mkdir -p "$addon/page/pictures" # the page that the help button opens
   cp "$project/docs/blender.md" "$addon/page"
   cp "$project"/docs/pictures/blender*.png "$addon/page/pictures"
-  python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
+  python3 "$here/same_zip.py" "$addon" "$out/$2" "$SOURCE_DATE_EPOCH"
 }
 
 # The filters for ParaView on this kind of system, with the portable plugins.
@@ -130,15 +144,24 @@ notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
 
+if [[ ${2:-} == windows ]]; then
+  has_mingw || { echo "For Windows g++-mingw-w64-x86-64-posix is needed: apt install it." >&2; exit 1; }
+  suitesparse
+  windows
+  exit
+fi
 rm -rf "$out"
 mkdir "$out"
 "$here/portable/sysroot.sh" "$work/sysroot"
 suitesparse
 "$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
-wheel
+plugins=$work/portable/tree/lib/talweg/plugins
+tag=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
+wheel "$plugins" "$tag"
 "$here/sdist.sh" "$out"
 archive
-blender
+blender "$plugins" "talweg_blender-$version.zip"
+if has_mingw; then windows; else echo "No files for Windows: there is no g++-mingw-w64-x86-64-posix"; fi
 paraview
 debian
 page

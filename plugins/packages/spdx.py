@@ -25,6 +25,9 @@ HOST = {"g++-12": ("libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-
         "libcli11-dev": ("CLI11", "BSD-3-Clause"),
         "libxxhash-dev": ("xxHash", "BSD-2-Clause"),
         "libfast-float-dev": ("fast_float", "Apache-2.0 OR MIT"),
+        "gcc-mingw-w64-x86-64-posix-runtime":
+            ("libstdc++, libgcc and winpthreads", "GPL-3.0-or-later WITH GCC-exception-3.1 AND MIT AND BSD-3-Clause"),
+        "mingw-w64-x86-64-dev": ("mingw-w64's C runtime", "ZPL-2.1"),
         "emscripten": ("libc++, compiler-rt, musl and dlmalloc of Emscripten",
                        "MIT AND Apache-2.0 WITH LLVM-exception AND CC0-1.0"),
         # The Debian packages use this library, and do not contain it.
@@ -35,6 +38,7 @@ ROOT = {"libgcc-10-dev": ("unwinder of libgcc", "GPL-3.0-or-later WITH GCC-excep
 SOURCES = {"suitesparse": ("CHOLMOD (Core, Check, Cholesky), AMD, COLAMD of SuiteSparse",
                            "LGPL-2.1-or-later AND BSD-3-Clause"),
            "pugixml": ("pugixml", "MIT"),
+           "libpng1.6": ("libpng", "libpng-2.0"),
            "zlib": ("zlib", "Zlib")}
 NPM = {"meshoptimizer": ("meshoptimizer", "MIT"), "three": ("three.js", "MIT"),
        "three-mesh-bvh": ("three-mesh-bvh", "MIT")}
@@ -42,6 +46,8 @@ NPM = {"meshoptimizer": ("meshoptimizer", "MIT"), "three": ("three.js", "MIT"),
 HEADERS = ["libopenmesh-dev", "libeigen3-dev", "nlohmann-json3-dev"]
 PLUGINS = ["g++-12", *HEADERS, "libfmt-dev", "libpugixml-dev", "libgcc-10-dev", "zlib1g-dev", "suitesparse"]
 PROGRAM = ["libcli11-dev", "libxxhash-dev"]
+WINDOWS = ["gcc-mingw-w64-x86-64-posix-runtime", "mingw-w64-x86-64-dev", *HEADERS, "libfmt-dev", "pugixml",
+           "zlib", "suitesparse"]
 PAGE = [*HEADERS, "libfmt-dev", "libfast-float-dev", "emscripten", "pugixml", "zlib", *NPM]
 
 
@@ -51,6 +57,10 @@ def inside(name):
         return PAGE
     if name.endswith("_amd64.deb"):
         return HEADERS + (PROGRAM if name.startswith("talweg_") else [])
+    if "-windows-" in name:
+        return [*WINDOWS, *PROGRAM, "libpng1.6"]
+    if name.endswith(("-windows.zip", "-win_amd64.whl")):
+        return WINDOWS
     if "-linux-" in name:
         return [*PLUGINS, *PROGRAM, "libpng-dev"]
     if name.endswith(".whl") or "blender" in name or "paraview" in name:
@@ -67,6 +77,7 @@ def debian_version(package, root="/"):
 def source_version(name):
     """The version of a part that is compiled from Debian's sources, read from the scripts."""
     files = {"suitesparse": PROJECT / "plugins/packages/release.sh",
+             "libpng1.6": PROJECT / "plugins/packages/windows/libraries/CMakeLists.txt",
              "zlib": BROWSER / "cmake/FindZLIB.cmake", "pugixml": BROWSER / "cmake/Findpugixml.cmake"}
     return re.search(rf"{name}[_-]([0-9.]*[0-9])", files[name].read_text())[1]
 

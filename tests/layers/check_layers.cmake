@@ -7,7 +7,7 @@ set(heat_may heat intrinsic)
 set(core_may core heat intrinsic)
 set(plugins_may plugin loader editing core heat intrinsic)
 set(intrinsic_rooms surface lines flips exact_distance)
-set(core_rooms space mesh measure drawing fairing strokes ridges lifting smoothing repair io cutting offset labels openmesh front)
+set(core_rooms system space mesh measure drawing fairing strokes ridges lifting smoothing repair io cutting offset labels openmesh front)
 # Headers with restricted use: a regular expression, and the files that may include them. Headers for plugins
 # and hosts by others include no header of the library.
 set(homes "cholmod\\.h@^heat/cholesky_factor\\.cpp$"

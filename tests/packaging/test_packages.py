@@ -52,6 +52,8 @@ class Spdx(unittest.TestCase):
     FILES = ("talweg-1.2.3-py3-none-manylinux_2_29_x86_64.whl", "talweg-1.2.3-linux-x86_64.tar.gz",
              "talweg_1.2.3-1_amd64.deb", "talweg-page-1.2.3.zip", "talweg-1.2.3.tar.gz",
              "talweg-openflipper-1.2.3.tar.gz", "python3-talweg_1.2.3-1_all.deb")
+    WINDOWS = ("talweg-1.2.3-windows-x86_64.zip", "talweg-1.2.3-py3-none-win_amd64.whl",
+               "talweg_blender-1.2.3-windows.zip")
 
     def setUp(self):
         # What is not installed on every machine that runs tests.
@@ -61,9 +63,9 @@ class Spdx(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         folder = Path(temporary.name)
-        for name in self.FILES:
+        for name in (*self.FILES, *self.WINDOWS):
             (folder / name).write_bytes(b"abc")
-        self.document = spdx.document("1.2.3", 0, "/", [folder / name for name in self.FILES])
+        self.document = spdx.document("1.2.3", 0, "/", [folder / name for name in (*self.FILES, *self.WINDOWS)])
         self.names = {part["SPDXID"]: part["name"] for part in self.document["packages"]}
         self.files = {entry["fileName"][2:]: entry for entry in self.document["files"]}
 
@@ -102,6 +104,15 @@ class Spdx(unittest.TestCase):
         for name in sources:
             self.assertEqual(self.related(name, "CONTAINS"), set())
             self.assertEqual(self.files[name]["licenseConcluded"], "MIT")
+
+    def test_files_for_windows_have_all_inside(self):
+        archive, wheel, addon = self.WINDOWS
+        inside = self.related(wheel, "CONTAINS")
+        self.assertLess({"zlib", "pugixml", "fmt", "mingw-w64's C runtime"}, inside)
+        self.assertNotIn("unwinder of libgcc", inside)
+        self.assertEqual(self.related(addon, "CONTAINS"), inside)
+        self.assertEqual(self.related(archive, "CONTAINS") - inside, {"CLI11", "xxHash", "libpng"})
+        self.assertIn(" AND LGPL-2.1-or-later", self.files[wheel]["licenseConcluded"])
 
     def test_versions(self):
         versions = {part["name"]: part["versionInfo"] for part in self.document["packages"]}

@@ -20,17 +20,17 @@ sys.path.insert(0, str(HERE))
 import native_sources  # noqa: E402  # pylint: disable=wrong-import-position
 
 
-MODULE = "talweg_methods.so"  # the module with all plugins of Talweg
+MODULES = ("talweg_methods.so", "talweg_methods.dll")  # with all plugins of Talweg
 
 
 def plugins(build):
     """The folder with the plugins, compiled in ``build`` if there are none."""
-    named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
+    named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(os.pathsep) if f]
     for folder in named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"]:
-        if (folder / MODULE).is_file():
+        if any((folder / module).is_file() for module in MODULES):
             return folder
     if named or not native_sources.root():
-        raise SystemExit(f"talweg: no {MODULE} in " + ", ".join(map(str, named)) +
+        raise SystemExit("talweg: no talweg_methods in " + ", ".join(map(str, named)) +
                          "; build Talweg first (./run build), or name the folder of its plugins "
                          "in TALWEG_PLUGIN_PATH.")
     return native_sources.compile_plugins(build)
@@ -44,9 +44,10 @@ class BuildWithPlugins(build_py):
         target = Path(self.build_lib) / "talweg" / "plugins"
         target.mkdir(parents=True, exist_ok=True)
         folder = plugins(Path(self.build_lib).resolve().parent / "plugins")
-        # Plugins for any Linux (plugins/packages) come with a shared library and the licences of all parts.
-        for path in (folder / MODULE, *folder.glob("libtalweg-*.so.*")):
-            shutil.copy(path, target / path.name)
+        # Plugins for any system come with a shared library (plugins/packages) and the licences of all parts.
+        for pattern in (*MODULES, "libtalweg-*.so.*", "libtalweg-*.dll.*"):
+            for path in folder.glob(pattern):
+                shutil.copy(path, target / path.name)
         licences = folder / "licences"
         if licences.is_dir():
             shutil.copytree(licences, target / "licences", dirs_exist_ok=True)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 
@@ -37,7 +38,7 @@ std::vector<Color> label_colors(const std::vector<std::int64_t>& labels) {
 }
 
 std::vector<std::int64_t> read_label_file(const std::string& path) {
-  std::ifstream in(path);
+  std::ifstream in{std::filesystem::path(path)};
   if (!in) throw Error(ErrorCode::kBadFile, path + " cannot be opened");
   std::vector<std::int64_t> labels;
   for (std::int64_t label = 0; in >> label;) labels.push_back(label);

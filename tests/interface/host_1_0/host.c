@@ -1,10 +1,13 @@
 /* host FOLDER...: runs every plugin of these folders as a host of the interface 1.0, with default
  * values, on a small mesh and a curve, and prints the results. Built with the header of 1.0 in this
  * folder, it must print the same as with the present header. */
-#include <dirent.h>
-#include <dlfcn.h>
 #include <stdio.h>
 #include <string.h>
+#ifdef _WIN32
+#include <windows.h>
+#else
+#include <dlfcn.h>
+#endif
 
 #include "talweg/plugin/talweg_plugin.h"
 
@@ -112,12 +115,24 @@ static void run(const talweg_plugin* plugin) {
   plugin->destroy(instance);
 }
 
-static int load(const char* path) {
+/* The function that a module exports, NULL where there is none. */
+static talweg_plugin_entry_function entry_of(const char* path) {
+  talweg_plugin_entry_function entry = NULL;
+#ifdef _WIN32
+  HMODULE library = LoadLibraryExA(path, NULL, LOAD_WITH_ALTERED_SEARCH_PATH);
+  if (library == NULL) return fprintf(stderr, "%s: error %lu\n", path, GetLastError()), entry;
+  *(FARPROC*)&entry = GetProcAddress(library, TALWEG_PLUGIN_ENTRY);
+#else
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
-  talweg_plugin_entry_function entry;
-  const talweg_module* module;
-  if (library == NULL) return fprintf(stderr, "%s\n", dlerror()), 1;
+  if (library == NULL) return fprintf(stderr, "%s\n", dlerror()), entry;
   *(void**)&entry = dlsym(library, TALWEG_PLUGIN_ENTRY);
+#endif
+  return entry;
+}
+
+static int load(const char* path) {
+  const talweg_plugin_entry_function entry = entry_of(path);
+  const talweg_module* module;
   module = entry == NULL ? NULL : entry(TALWEG_INTERFACE_MAJOR, 0);
   if (module == NULL || module->size < sizeof *module || module->needs_minor > 0) {
     return fprintf(stderr, "%s: not for a host of 1.0\n", path), 1;

@@ -19,6 +19,9 @@ _KINDS = {c.NUMBER: "number", c.INTEGER: "integer", c.BOOLEAN: "boolean", c.CHOI
           c.VERTICES: "vertices", c.FIELD: "field",
           c.PER_CURVE: "per_curve", c.TRIANGLE_FIELD: "triangle_field"}
 
+_ON_WINDOWS = sys.platform == "win32"
+_MODULES = "*.dll" if _ON_WINDOWS else "*.so"
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -81,14 +84,17 @@ def _described(p: c.Parameter) -> Parameter:
 
 
 def folders() -> List[Path]:
-    """The folders with plugins, in the order of the search: those of ``TALWEG_PLUGIN_PATH``; the one inside
-    this package; ``build/`` of a source checkout; those of an installed Talweg."""
+    """The folders with plugins, in the order of the search: those of ``TALWEG_PLUGIN_PATH`` (``;`` separates them on
+    Windows, ``:`` elsewhere); the one inside this package; ``build/`` of a source checkout; those of an installed
+    Talweg (not on Windows)."""
     here = Path(__file__).resolve().parent
-    result = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(":") if f]
+    result = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(os.pathsep) if f]
     result.append(here / "plugins")
     checkout = Path("/", *here.parts[:-4])
     if (checkout / "plugins" / "interface" / "talweg_plugin.h").is_file():
         result.append(checkout / "build" / "lib" / "talweg" / "plugins")
+    if _ON_WINDOWS:  # which has no folder that programs are installed in together
+        return result
     libs = ["lib", "lib64"]
     multiarch = sysconfig.get_config_var("MULTIARCH")
     if multiarch:
@@ -126,7 +132,7 @@ class _Loader:
         self.folders = folders()
         self._libraries: List[ctypes.CDLL] = []
         for folder in self.folders:
-            for path in sorted(folder.glob("*.so")):
+            for path in sorted(folder.glob(_MODULES)):
                 why = self._load(path)
                 if why:
                     self.refused.setdefault(why, []).append(path)
