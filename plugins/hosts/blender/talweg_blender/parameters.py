@@ -7,7 +7,8 @@ import bpy
 from .package import talweg
 
 #: In the order of the panel; of these the rest of the add-on knows nothing but the names.
-SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ends", "click_distance", "potential", "relax")
+SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ridges", "ridge_kind", "ends", "click_distance",
+         "potential", "relax")
 
 
 #: Shorter words where the plugin's do not fit into the panel, or name a page that is not open here.
@@ -17,10 +18,14 @@ _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact dist
             "auto": ("If They Meet", "A stroke whose end stops a little short of its beginning, or "
                      "runs over it, is a loop"),
             "closed": ("Loops", "Every curve is a loop"),
-            "open": ("Open", "No curve is a loop that is not closed already")}
+            "open": ("Open", "No curve is a loop that is not closed already"),
+            "both": ("Ridges and Valleys", "Whatever the surface turns at"),
+            "convex": ("Ridges", "Edges and crests, which stand out"),
+            "concave": ("Valleys", "Creases and fissures")}
 
 _CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
-                 "ends": "Which open curves become loops"}
+                 "ends": "Which open curves become loops",
+                 "ridge_kind": "What attracts the drawing, if its strength is above 0"}
 
 #: Lengths; beside the number they have a slider in mean edges, which fits meshes of every size.
 _LENGTHS = ("slack", "max_deviation", "click_distance")
