@@ -9,7 +9,7 @@ from pathlib import Path
 import bmesh
 import bpy
 import numpy as np
-from talweg_blender import colours, drawings, operators, page, resmoothing, session
+from talweg_blender import colours, drawings, operators, page, resmoothing, sentences, session
 from talweg_blender.package import talweg
 
 import scene
@@ -49,6 +49,25 @@ class Again(unittest.TestCase):
                 wanted["max_deviation"] = curve.talweg.max_deviation
             expected = mesh.smooth(support.staircase(), **wanted).curve
             np.testing.assert_array_equal(scene.spline_points(curve), expected.positions.astype(np.float32))
+
+    def test_ridges_attract_it_and_the_panel_tells(self):
+        """A stroke two edges beside a crease, which is at k = 30."""
+        bpy.ops.object.mode_set(mode="OBJECT")
+        vertices, faces = support.hills()
+        vertices[:, 2] = -0.6 * np.abs(vertices[:, 1] - 30)
+        scene.empty()
+        self.obj = scene.add_mesh(vertices, faces)
+        scene.select_edges(self.obj, [60 * row + 28 for row in range(10, 50)])
+        curve = self.made()
+        self.assertIsNone(session.last_result().total.ridge_moved)
+        curve.talweg.ridges = 1
+        self.assertGreater(session.last_result().total.ridge_moved, 0.9)
+        middle = [p for p in scene.spline_points(curve) if 20 < p[0] < 40]
+        self.assertLess(max(abs(p[1] - 30) for p in middle), 0.2)
+        self.assertIn("were moved onto ridges, by up to 2.33", " ".join(sentences.others_of(report(curve))))
+        curve.talweg.ridge_kind = "concave"
+        self.assertEqual(session.last_result().total.ridge_moved, 0)
+        self.assertIn("stays as it was drawn", " ".join(sentences.others_of(report(curve))))
 
     def test_what_is_not_ticked_shows_what_was_used(self):
         curve = self.made()

@@ -7,7 +7,8 @@ import bpy
 from .package import talweg
 
 #: The parameters in the order of the panel. The rest of the add-on knows only their names.
-SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ends", "click_distance", "potential", "relax")
+SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ridges", "ridge_kind", "ends", "click_distance",
+         "potential", "relax")
 
 
 #: Shorter words for labels of the plugin that do not fit into the panel or name a page that Blender does not
@@ -18,10 +19,14 @@ _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact dist
             "auto": ("If They Meet", "A stroke whose end stops a little short of its beginning, or "
                      "runs over it, is a loop"),
             "closed": ("Loops", "Every curve is a loop"),
-            "open": ("Open", "No curve is a loop that is not closed already")}
+            "open": ("Open", "No curve is a loop that is not closed already"),
+            "both": ("Ridges and Valleys", "Whatever the surface turns at"),
+            "convex": ("Ridges", "Edges and crests, which stand out"),
+            "concave": ("Valleys", "Creases and fissures")}
 
 _CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
-                 "ends": "Which open curves become loops"}
+                 "ends": "Which open curves become loops",
+                 "ridge_kind": "What attracts the drawing, if its strength is above 0"}
 
 #: Parameters that are lengths. Each also has a slider in mean edges, which suits meshes of every size.
 _LENGTHS = ("slack", "max_deviation", "click_distance")
