@@ -6,6 +6,7 @@
 
 #include "talweg/core/drawing/edge_landmarks.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 
 namespace talweg {
 namespace {
@@ -159,14 +160,8 @@ bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool 
 /// Calls `visit` with each neighbour and the length of the edge to it.
 template <class Visit>
 void EdgeDijkstra::visit_neighbours(VertexId vertex, const Visit& visit) const {
-  const HalfedgeId first = surface_->halfedge(vertex);
-  if (!first.valid()) return;
-  HalfedgeId h = first;
-  do {
-    visit(surface_->head(h), surface_->length(edge_of(h)));
-    if (!surface_->has_face(h)) break;
-    h = surface_->turn_ccw(h);
-  } while (h != first);
+  for_each_spoke(*surface_, vertex,
+                 [&](HalfedgeId h) { visit(surface_->head(h), surface_->length(edge_of(h))); });
 }
 
 bool EdgeDijkstra::search_around(VertexId from, VertexId to, bool not_along_edge,

@@ -7,6 +7,8 @@
 #include <queue>
 #include <utility>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
@@ -23,19 +25,13 @@ std::vector<double> distances_from(const Surface& surface, VertexId start, Progr
     const auto [distance, v] = queue.top();
     queue.pop();
     if (distance > distances[v]) continue;
-    const HalfedgeId first = surface.halfedge(VertexId{v});
-    if (!first.valid()) continue;
-    HalfedgeId h = first;
-    do {
+    for_each_spoke(surface, VertexId{v}, [&, way = distance](HalfedgeId h) {
       const std::size_t next = surface.head(h).index();
-      const double to_next = distance + surface.length(edge_of(h));
-      if (to_next < distances[next]) {
-        distances[next] = to_next;
-        queue.emplace(to_next, next);
-      }
-      if (!surface.has_face(h)) break;
-      h = surface.turn_ccw(h);
-    } while (h != first);
+      const double to_next = way + surface.length(edge_of(h));
+      if (!(to_next < distances[next])) return;
+      distances[next] = to_next;
+      queue.emplace(to_next, next);
+    });
   }
   return distances;
 }

@@ -7,22 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
 constexpr std::size_t kOfVertex = 16;  // units of work
-
-/// Calls visit(h) for every halfedge h that leaves v.
-template <class Visit>
-void for_each_spoke(const Surface& surface, VertexId v, const Visit& visit) {
-  const HalfedgeId first = surface.halfedge(v);
-  for (HalfedgeId h = first; h.valid();) {
-    visit(h);
-    if (!surface.has_face(h)) return;
-    h = surface.turn_ccw(h);
-    if (h == first) return;
-  }
-}
 
 /// The touched vertices and their neighbours, sorted, with the length of the shortest path along
 /// edges from the curves to each.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "talweg/intrinsic/surface/plane_point.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 
 namespace talweg {
 namespace {
@@ -56,13 +57,9 @@ double CoarseDistance::at_vertex(VertexId vertex) {
     const auto [way, at] = queue_.top();
     queue_.pop();
     if (way > ways_[at.index()]) continue;  // a shorter way is known
-    const HalfedgeId first = surface_->halfedge(at);
-    for (HalfedgeId h = first; h.valid();) {
-      reach(surface_->head(h), way + surface_->length(edge_of(h)));
-      if (!surface_->has_face(h)) break;
-      h = surface_->turn_ccw(h);
-      if (h == first) break;
-    }
+    for_each_spoke(*surface_, at, [&, before = way](HalfedgeId h) {
+      reach(surface_->head(h), before + surface_->length(edge_of(h)));
+    });
   }
   return known;
 }

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <vector>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
@@ -11,19 +13,6 @@ template <typename Id>
 void make_unique(std::vector<Id>& ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-/// Visits the halfedges that leave v.
-template <typename Visit>
-void for_spokes(const Surface& surface, VertexId v, const Visit& visit) {
-  const HalfedgeId first = surface.halfedge(v);
-  if (!first.valid()) return;
-  HalfedgeId h = first;
-  do {
-    visit(h);
-    if (!surface.has_face(h)) return;
-    h = surface.turn_ccw(h);
-  } while (h != first);
 }
 
 std::vector<VertexId> vertices_at(const Surface& surface, const SurfaceCurve& curve) {
@@ -51,7 +40,7 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
   for (int k = 0; k < 2; ++k) {
     std::vector<VertexId> more;
     for (const VertexId v : ring) {
-      for_spokes(surface, v, [&](HalfedgeId h) { more.push_back(surface.head(h)); });
+      for_each_spoke(surface, v, [&](HalfedgeId h) { more.push_back(surface.head(h)); });
     }
     make_unique(more);
     ring.clear();
@@ -71,7 +60,7 @@ double edge_length_near(const Surface& surface, const SurfaceCurve& curve) {
   for (const VertexId v : near) {
     const bool last = next_of_ring != ring.end() && *next_of_ring == v;
     if (last) ++next_of_ring;
-    for_spokes(surface, v, [&](HalfedgeId h) {
+    for_each_spoke(surface, v, [&](HalfedgeId h) {
       const VertexId w = surface.head(h);
       if (w < v) return;  // counted at its other end
       if (last && !is_in(near, w)) return;

@@ -5,25 +5,14 @@
 #include <numbers>
 #include <numeric>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
 constexpr std::size_t kMostDegree = 20;
 constexpr double kTime = 0.61;  // halves waves of 2π s / √8 edges, whose eigenvalue is λ = 2 / s²
 constexpr std::uint32_t kOutside = 0xFFFFFFFFU;
-
-/// Visits each neighbour of a vertex.
-template <class Visit>
-void for_each_neighbour(const Surface& surface, VertexId v, const Visit& visit) {
-  const HalfedgeId first = surface.halfedge(v);
-  if (!first.valid()) return;
-  HalfedgeId h = first;
-  do {
-    visit(surface.head(h));
-    if (!surface.has_face(h)) return;
-    h = surface.turn_ccw(h);
-  } while (h != first);
-}
 
 using Coefficients = std::vector<double>;
 
@@ -93,7 +82,7 @@ VertexGraph::VertexGraph(const Surface& surface, std::span<const VertexId> seeds
   for (int ring = 0; ring < rings; ++ring) {
     const std::size_t last = vertices_.size();
     for (; first < last; ++first) {
-      for_each_neighbour(surface, vertices_[first], add);
+      for_each_spoke(surface, vertices_[first], [&](HalfedgeId h) { add(surface.head(h)); });
     }
   }
   connect(surface, number_of);
@@ -104,8 +93,8 @@ void VertexGraph::connect(const Surface& surface, std::span<const std::uint32_t>
   begin_.push_back(0);
   whole_.assign(vertices_.size(), 1);
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    for_each_neighbour(surface, vertices_[i], [&](VertexId w) {
-      const std::uint32_t number = number_of[w.index()];
+    for_each_spoke(surface, vertices_[i], [&](HalfedgeId h) {
+      const std::uint32_t number = number_of[surface.head(h).index()];
       if (number == kOutside) {
         whole_[i] = 0;
       } else {

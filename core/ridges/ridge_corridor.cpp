@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
@@ -59,13 +61,9 @@ void RidgeCorridor::reach(double width, ProgressPoller& poller) {
     heap.pop_back();
     if (reached_.at(index) < distance) continue;
     poller.add_work(8);
-    const HalfedgeId first = surface.halfedge(VertexId{index});
-    for (HalfedgeId h = first; h.valid();) {
-      offer(surface.head(h), distance + surface.length(edge_of(h)));
-      if (!surface.has_face(h)) break;
-      h = surface.turn_ccw(h);
-      if (h == first) break;
-    }
+    for_each_spoke(surface, VertexId{index}, [&, way = distance](HalfedgeId h) {
+      offer(surface.head(h), way + surface.length(edge_of(h)));
+    });
   }
 }
 

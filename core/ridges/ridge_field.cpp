@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 
 namespace talweg {
 namespace {
@@ -22,19 +23,6 @@ std::array<Point, 2> plane_of(const Point& normal) {
   const Point beside = std::abs(normal.x()) < 0.7 ? Point(1, 0, 0) : Point(0, 1, 0);
   const Point u = normal.cross(beside).normalized();
   return {u, normal.cross(u)};
-}
-
-/// Visits the halfedges out of a vertex, those without a face, too.
-template <class Visit>
-void visit_around(const Surface& surface, VertexId vertex, const Visit& visit) {
-  const HalfedgeId first = surface.halfedge(vertex);
-  if (!first.valid()) return;
-  HalfedgeId h = first;
-  do {
-    visit(h);
-    if (!surface.has_face(h)) return;
-    h = surface.turn_ccw(h);
-  } while (h != first);
 }
 
 }  // namespace
@@ -73,7 +61,7 @@ void RidgeField::gather(VertexId vertex, double radius, std::vector<VertexId>& b
   ball.assign(1, vertex);
   stamp_[vertex.index()] = stamp;
   for (std::size_t next = 0; next < ball.size(); ++next) {
-    visit_around(surface, ball[next], [&](HalfedgeId h) {
+    for_each_spoke(surface, ball[next], [&](HalfedgeId h) {
       const VertexId v = surface.head(h);
       if (stamp_[v.index()] == stamp) return;
       stamp_[v.index()] = stamp;
@@ -87,7 +75,7 @@ const Point& RidgeField::normal(VertexId vertex) {
   if (at.normal) return *at.normal;
   const Surface& surface = mesh_->surface();
   Point sum = Point::Zero();
-  visit_around(surface, vertex, [&](HalfedgeId h) {
+  for_each_spoke(surface, vertex, [&](HalfedgeId h) {
     if (!surface.has_face(h)) return;
     const auto corners = surface.corners(surface.face(h));
     const Point& p = mesh_->point(corners[0]);
@@ -216,9 +204,9 @@ double RidgeField::usual_dihedral(VertexId vertex) {
   const Surface& surface = mesh_->surface();
   std::vector<double> angles;
   const auto add = [&](HalfedgeId h) { angles.push_back(std::abs(dihedral(edge_of(h)))); };
-  visit_around(surface, vertex, [&](HalfedgeId h) {
+  for_each_spoke(surface, vertex, [&](HalfedgeId h) {
     add(h);
-    visit_around(surface, surface.head(h), add);
+    for_each_spoke(surface, surface.head(h), add);
   });
   if (angles.empty()) return 0;
   const auto at = angles.begin() + static_cast<std::ptrdiff_t>(3 * angles.size() / 10);

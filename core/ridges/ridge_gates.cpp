@@ -74,6 +74,7 @@ class GateFinder {
     if (!is_end || gate.is_on_border) return gate;
     gate.along = direction_at_end(point);
     gate.thickness = band_.edge / 2;
+    if (!is_click) gate.leaves_for = gate.faint + gate.thickness;
     return gate;
   }
 

@@ -18,8 +18,11 @@ struct RidgeGate {
   /// Mesh units, >= 0: how far from the point the way may pass. Where it costs something, only on
   /// a ridge: with little cost it is pulled there as a whole, and not half of the way.
   double radius = 0;
-  double cost = 0;            ///< of each mesh unit of that distance
-  double faint = 0;           ///< mesh units: what a place costs where nothing attracts
+  double cost = 0;   ///< of each mesh unit of that distance
+  double faint = 0;  ///< mesh units: what a place costs where nothing attracts
+  /// Mesh units: what the point itself costs where a ridge passes the gate. More than the ridge
+  /// beside it costs at ends of strokes, for which the way would else leave the ridge.
+  double leaves_for = 0;
   bool is_click = false;      ///< its way-point goes along
   bool is_on_border = false;  ///< the way passes the mesh's border there
   /// At ends of open curves the unit direction of the drawing, and how far along it the way may

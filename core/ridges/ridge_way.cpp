@@ -71,6 +71,7 @@ class WayFinder {
     const std::size_t itself = corridor.drawn_node(last ? corridor.drawn_count() - 1 : 0);
     GateNodes nodes{{kTheGateItself, {itself, 0}}};
     if (!(gate.radius > 0)) return nodes;
+    std::vector<Point> ridge;
     for (std::size_t node = 0; node < corridor.drawn_node(0); ++node) {
       const double away = (corridor.position(node) - corridor.position(itself)).norm();
       if (away > gate.radius || !corridor.is_inside(node)) continue;
@@ -81,8 +82,26 @@ class WayFinder {
       if (gate.is_on_border && !is_on_boundary(mesh_->surface(), corridor.point(node))) continue;
       const double cost = gate.cost * away + ahead + gate.faint * (1 - corridor.pull(node));
       nodes.emplace(corridor.key(node), GateNode{node, cost});
+      ridge.push_back(corridor.position(node));
+    }
+    if (gate.leaves_for > 0 && is_narrow(ridge, corridor.position(itself), gate.radius)) {
+      nodes.at(kTheGateItself).cost = gate.leaves_for;
     }
     return nodes;
+  }
+
+  /// Whether the ridge passes across a gate. Places of a ridge that runs along the gate, and
+  /// crosses the drawing, lie farther apart.
+  [[nodiscard]] static bool is_narrow(const std::vector<Point>& ridge, const Point& middle,
+                                      double width) {
+    if (ridge.empty()) return false;
+    const auto farthest_from = [&](const Point& from) {
+      return *std::max_element(ridge.begin(), ridge.end(), [&](const Point& a, const Point& b) {
+        return (a - from).squaredNorm() < (b - from).squaredNorm();
+      });
+    };
+    const Point end = farthest_from(middle);
+    return (farthest_from(end) - end).norm() <= width;
   }
 
   /// Searches all legs from a gate on: from one node there, or from all of them.

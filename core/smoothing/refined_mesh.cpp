@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
 #include "talweg/intrinsic/surface/zeroed_memory.hpp"
 
 namespace talweg {
@@ -363,14 +364,10 @@ std::vector<FaceId> faces_around(const SurfaceMesh& mesh, std::span<const Surfac
     poller.add_work(kOfFace);
     const VertexId v{id};
     if (nearness[id] > 1 / (1 + way)) continue;
-    const HalfedgeId first = surface.halfedge(v);
-    for (HalfedgeId h = first; h.valid();) {
-      offer(surface.head(h), way + surface.length(edge_of(h)));
-      if (!surface.has_face(h)) break;
-      faces.push_back(surface.face(h).index());
-      h = surface.turn_ccw(h);
-      if (h == first) break;
-    }
+    for_each_spoke(surface, v, [&, before = way](HalfedgeId h) {
+      offer(surface.head(h), before + surface.length(edge_of(h)));
+      if (surface.has_face(h)) faces.push_back(surface.face(h).index());
+    });
   }
   poller.poll();
   std::sort(faces.begin(), faces.end());

@@ -3,19 +3,16 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "talweg/intrinsic/surface/spokes.hpp"
+
 namespace talweg {
 namespace {
 
 /// Calls visit(neighbour, length of the edge to it) for every neighbour of v.
 template <class Visit>
 void for_each_neighbour(const Surface& surface, VertexId v, Visit visit) {
-  const HalfedgeId first = surface.halfedge(v);
-  for (HalfedgeId h = first; h.valid();) {
-    visit(surface.head(h), surface.length(edge_of(h)));
-    if (!surface.has_face(h)) break;
-    h = surface.turn_ccw(h);
-    if (h == first) break;
-  }
+  for_each_spoke(surface, v,
+                 [&](HalfedgeId h) { visit(surface.head(h), surface.length(edge_of(h))); });
 }
 
 }  // namespace

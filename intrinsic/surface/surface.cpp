@@ -4,6 +4,7 @@
 #include <string>
 
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 
 namespace talweg {
 namespace {
@@ -223,19 +224,14 @@ Components components_of(const Surface& surface) {
     result.of_vertex[seed] = id;
     stack.push_back(VertexId{seed});
     while (!stack.empty()) {
-      const HalfedgeId first = surface.halfedge(stack.back());
+      const VertexId v = stack.back();
       stack.pop_back();
-      if (!first.valid()) continue;
-      HalfedgeId h = first;
-      do {
+      for_each_spoke(surface, v, [&](HalfedgeId h) {
         std::uint32_t& component = result.of_vertex[surface.head(h).index()];
-        if (component == kNone) {
-          component = id;
-          stack.push_back(surface.head(h));
-        }
-        if (!surface.has_face(h)) break;
-        h = surface.turn_ccw(h);
-      } while (h != first);
+        if (component != kNone) return;
+        component = id;
+        stack.push_back(surface.head(h));
+      });
     }
   }
   return result;

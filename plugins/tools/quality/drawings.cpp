@@ -10,6 +10,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 #include "tools/quality/level_sets.hpp"
 #include "tools/scenes/random.hpp"
 
@@ -18,14 +19,7 @@ namespace {
 
 std::vector<HalfedgeId> spokes(const Surface& surface, VertexId v) {
   std::vector<HalfedgeId> out;
-  const HalfedgeId first = surface.halfedge(v);
-  HalfedgeId h = first;
-  if (!h.valid()) return out;
-  do {
-    out.push_back(h);
-    if (!surface.has_face(h)) break;
-    h = surface.turn_ccw(h);
-  } while (h != first);
+  for_each_spoke(surface, v, [&](HalfedgeId h) { out.push_back(h); });
   return out;
 }
 

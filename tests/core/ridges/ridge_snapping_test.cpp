@@ -186,6 +186,36 @@ TEST(RidgeSnapping, ADrawingThatLiesOnTheRidgeIsToldToLieThere) {
   EXPECT_NE(moves.sentence(0).find("lay on ridges already"), std::string::npos);
 }
 
+TEST(RidgeSnapping, EndsOfStrokesBesideACreaseMoveOntoIt) {
+  const Height height = roof(60 * kDegree, 20, 0);
+  const SurfaceMesh mesh = SurfaceMesh::open(sheet(80, 40, height, 0));
+  for (const double off : {-1.4, -0.65, 0.5, 0.9, 1.5}) {
+    std::vector<Point> points;
+    for (double x = 9.1; x < 70; x += 0.5) points.emplace_back(x, 20 + off, height(x, 20 + off));
+    const Ridged result = ridged(mesh, points, false, strength(1));
+    for (const SurfacePoint& end : {result.curve().points.front(), result.curve().points.back()}) {
+      EXPECT_LT(std::abs(mesh.position(end).y() - 20), 0.3) << off;
+    }
+    const std::vector<std::size_t> pins{0, points.size() - 1};
+    const Ridged pinned = ridged(mesh, points, false, strength(1), false, pins);
+    EXPECT_EQ(pinned.curve().points.front(), pinned.drawn.points.front());
+    EXPECT_EQ(pinned.curve().points.back(), pinned.drawn.points.back());
+  }
+}
+
+TEST(RidgeSnapping, AStrokeThatEndsBehindACreaseIsNotPulledBack) {
+  const Height height = roof(60 * kDegree, 20, 0);
+  const SurfaceMesh mesh = SurfaceMesh::open(sheet(80, 40, height, 0));
+  for (const double beyond : {0.3, 0.8, 2.0, 5.0}) {
+    std::vector<Point> points;
+    const double end = 20 + beyond;
+    for (double y = 4; y < end; y += 0.5) points.emplace_back(40.3, y, height(0, y));
+    points.emplace_back(40.3, end, height(0, end));
+    const Ridged result = ridged(mesh, points, false, strength(1));
+    EXPECT_EQ(result.curve().points, result.drawn.points) << beyond;
+  }
+}
+
 TEST(RidgeSnapping, WithoutARidgeTheDrawingStaysToTheLastBit) {
   const Height flat = [](double, double) { return 0; };
   const Height hill = roof(90 * kDegree, 20, 0);

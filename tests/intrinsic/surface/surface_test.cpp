@@ -3,12 +3,14 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "intrinsic/test_surfaces.hpp"
 #include "talweg/intrinsic/error.hpp"
+#include "talweg/intrinsic/surface/spokes.hpp"
 
 namespace talweg {
 namespace {
@@ -109,6 +111,25 @@ TEST(Surface, BoundaryVertexStartsItsFanMostClockwise) {
   for (const std::size_t v : {0, 1, 2, 3, 5, 6, 7, 8}) {
     EXPECT_TRUE(s.on_boundary(VertexId{v}));
     EXPECT_FALSE(s.turn_cw(s.halfedge(VertexId{v})).valid());
+  }
+}
+
+TEST(Surface, SpokesGoToEachNeighbourOnce) {
+  TestMesh mesh = grid(2, 2);
+  mesh.points.push_back({9, 9, 9});
+  const Surface s = surface_of(mesh);
+  for (std::size_t a = 0; a < 10; ++a) {
+    std::set<std::size_t> expected, found;
+    for (std::size_t h = 0; h < s.halfedge_count(); ++h) {
+      if (s.tail(HalfedgeId{h}).index() == a) expected.insert(h);
+    }
+    std::size_t count = 0;
+    for_each_spoke(s, VertexId{a}, [&](HalfedgeId h) {
+      found.insert(h.index());
+      ++count;
+    });
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(count, expected.size());
   }
 }
 
