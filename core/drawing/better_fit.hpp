@@ -1,4 +1,4 @@
-// A better fit is another space, unit or place in which a drawing would lie on its mesh.
+// A better fit is another coordinate space, unit or place in which a drawing would lie on its mesh.
 #pragma once
 
 #include <span>
@@ -10,18 +10,20 @@
 
 namespace talweg {
 
-/// The beginning of better_fit()'s words.
+/// The first words of every text that better_fit() returns.
 constexpr std::string_view kWouldFit = "would fit ";
 
-/// Whether positions lie far from the mesh and would lie on it with x and y turned (RAS and LPS),
-/// or with y up instead of z (or back), scaled by 10, 100, 1000, 25.4 or an inverse of these, or
-/// moved by the centre of the mesh's box, there or back, or (if all lie away from it) by a round
-/// number. On it means within a mean edge in the mean, and ten times nearer than now; when scaled,
-/// as a part of their own extent.
+/// Looks for a change of the positions that would put them on the mesh, where they lie far from it.
+/// The changes tried are: x and y turned (between RAS and LPS); y up instead of z, or back; a scale
+/// of 10, 100, 1000, 25.4 or the inverse of one of these; a move by the centre of the mesh's box,
+/// there or back; and, if all positions lie away from the mesh, a move by a round number. A change
+/// fits if the mean distance to the mesh becomes at most a mean edge and a tenth of the present
+/// one; for a scale the distance is compared as a part of the positions' own extent.
 ///
-/// Words like "would fit 40 times better with x and y turned, as between RAS and LPS"; empty where
-/// nothing fits, and where positions lie within a quarter of a mean edge in the mean. At most 32
-/// positions are looked at, so it takes O(log faces) for positions near the mesh.
+/// Returns words like "would fit 40 times better with x and y turned, as between RAS and LPS". The
+/// text is empty where no change fits, and where the present mean distance is within a quarter of a
+/// mean edge. At most 32 positions are measured, so the cost is O(log faces) for positions near the
+/// mesh.
 std::string better_fit(const SurfaceMesh& mesh, const ClosestPoint& closest,
                        std::span<const Point> positions);
 

@@ -11,18 +11,18 @@
 
 namespace talweg {
 
-/// What a stroke does at one of its ends.
+/// The part of a stroke beyond the border at one of the stroke's ends.
 struct BorderRun {
-  std::size_t samples = 0;       ///< how many there lie beyond the border; 0: it does not leave
-  double farthest = 0;           ///< mesh units: of these from the mesh
-  Point leaves = Point::Zero();  ///< the place between two samples where the stroke leaves
+  std::size_t samples = 0;       ///< beyond the border; 0: the stroke does not leave
+  double farthest = 0;           ///< mesh units: their largest distance from the mesh
+  Point leaves = Point::Zero();  ///< where, between two samples, the stroke leaves
 };
 
-/// The runs at the start and at the end of an open stroke. A sample lies beyond the border if what
-/// is nearest to it on the mesh lies there, more than a rounding (1e-4 mean edges) away. A stroke
-/// leaves if it gets at least a quarter as far from the mesh as it goes along the border (14
-/// degrees); one that was drawn along the border has no run, nor has one that is nowhere on the
-/// mesh. O(log faces) for each sample of a run.
+/// The runs at the start and at the end of an open stroke. A sample lies beyond the border if its
+/// nearest point on the mesh lies on the border and is more than a rounding (1e-4 mean edges) away.
+/// A stroke leaves the mesh if its distance from the mesh reaches at least a quarter of its length
+/// along the border (14 degrees). A stroke that was drawn along the border has no run, and neither
+/// has a stroke that is nowhere on the mesh. O(log faces) for each sample of a run.
 std::array<BorderRun, 2> border_runs(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                      std::span<const Point> samples);
 

@@ -1,4 +1,4 @@
-// The canonical order makes one curve of those that are drawn the other way or begun elsewhere.
+// The canonical order is the same for a curve, its reverse, and a loop that begins elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct CurveOrder {
 /// Error(kBadCurve) as curve_length() does.
 CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 
-/// The curve with its points in this order.
+/// The curve with its points in the given order.
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order);
 
 /// The order in which the curves of a set are processed, independent of how they are listed: open

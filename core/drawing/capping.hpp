@@ -1,4 +1,4 @@
-// Capping takes the corners off an edge path, as the paper does.
+// Capping takes the corners off an edge path (Mancinelli & Puppo, section 4).
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 
 namespace talweg {
 
-/// Caps corners as in section 4 of the paper: where two consecutive segments a-b, b-c run along
-/// one triangle abc, they are replaced by its third edge a-c, that is, vertex b is dropped. Goes
-/// from front to back, steps back after each cap, and ends when no corner is left; what is capped
-/// first decides what is left to cap, so the result of the reversed path can differ.
+/// Caps corners as in section 4 of the paper: where two consecutive segments a-b, b-c run along one
+/// triangle abc, its third edge a-c replaces them, that is, vertex b is dropped. The path is capped
+/// from front to back, with one step back after each cap, until no corner is left. Earlier caps
+/// decide which corners remain, so the result of the reversed path can differ.
 ///
 /// The ends of an open path and the `pinned` vertices stay, and a closed path (which does not
 /// repeat its first vertex) keeps at least three vertices. Returns the number of dropped vertices.

@@ -1,4 +1,4 @@
-// Crossings are where curves pass through themselves or each other.
+// Crossings are places where curves pass through themselves or each other.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace talweg {
 
-/// How paths along the edges of one triangulation meet themselves and each other.
+/// How paths along the edges of one triangulation cross themselves and each other.
 struct PathContacts {
   /// Per path: how often it crosses itself or a later path.
   std::vector<std::size_t> crossings;
@@ -22,10 +22,10 @@ struct PathContacts {
   std::vector<bool> tangled;
 };
 
-/// Where two paths run along the same edges for a while, that counts as one crossing or none. A
-/// path that ends on another does not cross it. O(n) for n passages of all vertices, times the ways
-/// in which one vertex is passed; passages that have an edge in common, but not the one before, are
-/// compared pair by pair.
+/// A stretch of edges that two paths have in common counts as one crossing or none. A path that
+/// ends on another path does not cross it. O(n) for n passages of all vertices, times the number of
+/// different ways in which one vertex is passed. Passages that share an edge after the vertex, but
+/// not the edge before it, are compared pair by pair.
 PathContacts path_contacts(const SignpostTriangulation& triangulation,
                            std::span<const EdgePath> paths);
 
@@ -41,18 +41,19 @@ struct FaceSegment {
   std::array<double, 3> from{}, to{};  ///< barycentrics
 };
 
-/// The segments of curves by their faces, to look for what one of them crosses while they change.
-/// The surface must outlive the object.
+/// The segments of curves, listed by face, for finding the crossings of one curve while curves
+/// change. The surface must outlive the object.
 class CurvesByFace {
  public:
-  /// O(segments). Throws Error(kBadCurve) when a segment lies in no face, as all functions do.
+  /// O(segments). Throws Error(kBadCurve) when a segment lies in no face, as all methods do.
   CurvesByFace(const Surface& surface, std::span<const SurfaceCurve> curves);
 
-  /// O(segments of both curves), and what lies in the faces of the one that goes.
+  /// Puts a curve in the place of curve `number`. O(segments of both curves, and all segments in
+  /// the faces of the replaced curve).
   void replace(std::size_t number, const SurfaceCurve& curve);
-  /// The points of a curve at which a segment begins that crosses another one of its segments, or
-  /// one of another curve than that number, as for crossing_curves(). O(its segments, and those in
-  /// their faces).
+  /// The points of `curve` at which a segment begins that crosses another segment of `curve`, or a
+  /// segment of a listed curve other than `number`. Crossing is meant as in crossing_curves().
+  /// O(segments of the curve, and all segments in their faces).
   [[nodiscard]] std::vector<SurfacePoint> crossed_points(std::size_t number,
                                                          const SurfaceCurve& curve) const;
 

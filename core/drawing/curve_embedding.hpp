@@ -1,4 +1,4 @@
-// Embedding makes drawn curves edge paths of a triangulation.
+// Embedding turns drawn curves into edge paths of a triangulation.
 #pragma once
 
 #include <span>
@@ -21,16 +21,18 @@ struct EmbeddedCurves {
   std::vector<VertexId> pinned;  ///< the vertices at the pins, sorted
 };
 
-/// What to do with loops, where a curve comes back to a vertex that it has passed.
+/// Whether loops stay, where a curve returns to a vertex that it has passed.
 enum class Loops { kKeep, kErase };
 
-/// The curves as edge paths, after inserting those of their points that are not vertices. Different
-/// curves may touch or share edges. `pins` are points of the curves.
+/// The curves as edge paths; points that are not vertices are inserted first. Different curves may
+/// touch or share edges. `pins` are points of the curves.
+///
 /// With Loops::kErase a path passes no vertex twice: the part between two passages is left out, and
-/// of a closed curve the shorter part. Throws Error(kBadCurve) when too little is left, with the
-/// curve's number or the one in `names`, and Cancelled when `progress` (stage "embed") says so;
-/// points may have been inserted by then. Cost: a PointInsertion for each point and segment. Worse:
-/// with Loops::kErase, many loops on one curve, as all points are looked through for each.
+/// for a closed curve the shorter of the two parts. Throws Error(kBadCurve) with the curve's
+/// number, or its entry in `names`, when the rest is too short to be a curve. Throws Cancelled when
+/// `progress` (stage "embed") says so; some points may have been inserted by then. Cost: a
+/// PointInsertion for each point and segment; with Loops::kErase, each loop of a curve adds a pass
+/// over the curve's points.
 EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
                             std::span<const SurfaceCurve> curves,
                             std::span<const SurfacePoint> pins = {}, Loops loops = Loops::kKeep,

@@ -1,4 +1,4 @@
-// A curve through vertices runs along the mesh's edges from each to the next.
+// A curve through vertices runs along the mesh's edges from each vertex to the next.
 #pragma once
 
 #include <span>

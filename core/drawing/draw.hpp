@@ -1,4 +1,4 @@
-// Drawing by clicks makes a curve and the way-points that a result passes.
+// Drawing through clicks makes a curve, and way-points that its smoothed curve must pass.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace talweg {
 
-/// A curve and which of its points are meant exactly, ready for CurveSmoother::set_curve().
+/// A curve, and those of its points that are meant exactly; ready for CurveSmoother::set_curve().
 struct Drawing {
   SurfaceCurve curve;
   std::vector<WayPoint> way_points;
@@ -20,8 +20,8 @@ struct Drawing {
 
 struct DrawOptions {
   bool closed = false;  ///< leads back to the first click
-  /// Straight over the faces, or along edges where all clicks are vertices. By default straight
-  /// between way-points, which say nothing of the way, and along edges in a stroke.
+  /// True: straight over the faces. False: along edges if all clicks are vertices, else straight.
+  /// By default true with a tolerance, as clicks fix no course in between, and false in a stroke.
   std::optional<bool> straight;
   /// Mesh units, >= 0: how far from each click a result may pass. Without a value the clicks are no
   /// way-points, and the whole path is a stroke.
@@ -29,10 +29,10 @@ struct DrawOptions {
 };
 
 /// Draws through clicked points in their order: straight over the faces, where legs may cross, or
-/// along edges, where it never passes itself. Clicks are settled first (straight_lines.hpp).
-/// Throws Error(kBadCurve) for less than two points, or where the next cannot be reached,
-/// Error(kBadUsage) for a negative tolerance, and Cancelled. O(vertices) for memory, and a way of
-/// EdgeDijkstra or StraightLines to each click.
+/// along edges, where the path never crosses itself. Clicks are settled first (straight_lines.hpp).
+/// Throws Error(kBadCurve) for fewer than two points, or where the next point cannot be reached;
+/// Error(kBadUsage) for a negative tolerance; and Cancelled. O(vertices) memory, and a run of
+/// EdgeDijkstra or StraightLines for each click.
 Drawing draw(const Surface& surface, std::span<const SurfacePoint> clicks,
              const DrawOptions& options = {}, const Progress& progress = {});
 Drawing draw(const Surface& surface, std::span<const VertexId> clicks,

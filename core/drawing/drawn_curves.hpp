@@ -1,4 +1,4 @@
-// Drawn curves are capped, their pins checked, and made sources of heat before they are smoothed.
+// Drawn curves are prepared for smoothing: corners are capped, pins checked, heat sources made.
 #pragma once
 
 #include <span>
@@ -12,12 +12,12 @@
 namespace talweg {
 
 /// The curve with its corners capped (capping.hpp) if it runs along mesh edges and passes no vertex
-/// twice; otherwise unchanged. Points in `pins` stay. O(n log n), and what capping costs.
+/// twice; otherwise unchanged. Points in `pins` stay. O(n log n), and the cost of cap_corners().
 SurfaceCurve capped_curve(const Surface& surface, const SurfaceCurve& curve,
                           std::span<const SurfacePoint> pins);
 
 /// Throws Error(kBadUsage) naming the first pin that is not a point of one of the curves. `name` is
-/// what the pins are called in the sentence. O(points + pins).
+/// the word for the pins in the message. O(points + pins).
 void check_pins(std::span<const SurfaceCurve> curves, std::span<const SurfacePoint> pins,
                 std::string_view name = "pin");
 

@@ -1,4 +1,4 @@
-// Drawn legs are the stretches of a curve between way-points, where the drawing is no stroke.
+// Drawn legs are the stretches of a curve between way-points where nothing was painted.
 #pragma once
 
 #include <span>
@@ -9,19 +9,20 @@
 
 namespace talweg {
 
-/// The points of one curve that stay, and what lies between them.
+/// The points of one curve that stay, and the kinds of the stretches between them.
 struct DrawnLegs {
-  std::vector<SurfacePoint> fixed;  ///< pins and way-points in the curve's order; both of its ends
-  std::vector<double> tolerances;   ///< of these, mesh units; 0 for those that are no way-points
-  std::vector<bool> is_leg;         ///< per stretch from one to the next
+  std::vector<SurfacePoint> fixed;  ///< pins, way-points and both ends, in order
+  std::vector<double> tolerances;   ///< of `fixed`, mesh units; 0 for points that are no way-points
+  std::vector<bool> is_leg;         ///< per stretch from one fixed point to the next
 
   [[nodiscard]] bool any() const;
-  [[nodiscard]] bool all() const;  ///< of at least one
+  [[nodiscard]] bool all() const;  ///< whether there are stretches, and all are legs
 };
 
-/// Between two way-points there is a leg, unless a painted point lies there. A loop with fewer than
-/// three way-points has no legs: nothing would hold it open. O(points of all kinds), those of other
-/// curves too: for all curves their number times the way-points and painted points of all.
+/// The stretch between two way-points is a leg, unless a painted point lies on it. A loop with
+/// fewer than three way-points has no legs, because nothing would hold it open. O(points, pins,
+/// way-points and painted points, those of other curves included); so for all curves, the cost is
+/// their number times the way-points and painted points of all.
 DrawnLegs legs_of(const SurfaceCurve& curve, std::span<const SurfacePoint> pins,
                   std::span<const WayPoint> way_points, std::span<const SurfacePoint> painted);
 

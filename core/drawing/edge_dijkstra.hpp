@@ -15,11 +15,11 @@ namespace talweg {
 
 class EdgeLandmarks;
 
-/// Dijkstra's algorithm on the edges of a surface, with memory that is allocated once: a call that
-/// looks at m edges costs O(m log m), whatever the size of the mesh: for a leg of length r it is a
-/// disc of radius r. After searches over as much as some whole meshes an object makes landmarks and
-/// looks only where the bounds that they give leave ways that may be shortest; the paths are the
-/// same. The surface must outlive the object. One thread at a time.
+/// Dijkstra's algorithm on the edges of a surface, with memory that is allocated once. A call that
+/// visits m edges costs O(m log m), whatever the size of the mesh; a leg of length r visits a disc
+/// of radius r. After searches that together visited 16 times the whole mesh, the object
+/// computes landmarks, whose bounds leave out vertices that no shortest path can pass; the paths
+/// stay the same. The surface must outlive the object. One thread at a time.
 class EdgeDijkstra {
  public:
   /// O(vertices).
@@ -40,18 +40,19 @@ class EdgeDijkstra {
   std::vector<VertexId> draw(std::span<const VertexId> through, bool closed,
                              const Progress& progress = {});
 
-  /// The path after one way-point has moved. `path` was drawn through the same way-points except
-  /// number `moved`, whose new place is in `through`. Only the legs that meet this way-point are
-  /// drawn anew, avoiding the rest of the path, which stays. So the result may differ from that of
-  /// draw(), in which later legs avoid earlier ones. Where the rest blocks a leg, or `path` does
-  /// not pass the neighbours of the moved way-point, the result is draw(through, closed). Throws as
-  /// draw() does, and Error(kBadUsage) if there is no way-point `moved`. O(path + two legs).
+  /// The path after one way-point has moved. `path` was drawn through the same way-points, except
+  /// for way-point number `moved`, whose new place is in `through`. Only the legs at the moved
+  /// way-point are drawn anew; they avoid the rest of the path, which stays. So the result may
+  /// differ from the one of draw(), in which later legs avoid earlier ones. Where the rest of the
+  /// path blocks a leg, or `path` does not pass the neighbours of the moved way-point, the result
+  /// is draw(through, closed). Throws as draw() does, and Error(kBadUsage) if there is no way-point
+  /// `moved`. O(path + two legs).
   std::vector<VertexId> redraw(std::span<const VertexId> path, std::span<const VertexId> through,
                                std::size_t moved, bool closed, const Progress& progress = {});
 
  private:
   struct Entry {
-    double distance;  ///< or a bound of that of the whole way
+    double distance;  ///< from the start; with landmarks, a bound of the whole path
     VertexId vertex;
   };
 
@@ -60,9 +61,9 @@ class EdgeDijkstra {
   void check(std::span<const VertexId> through) const;
   std::vector<VertexId> drawn(std::span<const VertexId> through, bool closed);
   bool append_redrawn(VertexId from, VertexId over, VertexId to, std::vector<VertexId>& path);
-  /// Appends the path from just behind `from` to `to`; false where there is none.
+  /// Appends the path from the vertex after `from` up to `to`; false where no path exists.
   bool append_leg(VertexId from, VertexId to, bool not_along_edge, std::vector<VertexId>& path);
-  /// A way to `to` in parent_; false where there is none.
+  /// Finds a path to `to` and keeps it in parent_; false where no path exists.
   bool search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
   bool search_around(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
   void search_with_landmarks(VertexId from, VertexId to, bool not_along_edge);
@@ -76,7 +77,7 @@ class EdgeDijkstra {
   [[nodiscard]] bool reached(VertexId v) const { return reach_stamp_[v.index()] == search_; }
 
   const Surface* surface_;
-  // A stamp that differs from the running number belongs to an earlier call, so nothing needs
+  // Stamps that differ from the running number belong to an earlier call, so arrays need no
   // clearing.
   std::uint64_t drawing_ = 0;
   std::uint64_t search_ = 0;
@@ -86,7 +87,7 @@ class EdgeDijkstra {
   std::vector<double> distance_;
   std::vector<VertexId> parent_;
   std::vector<Entry> heap_;
-  std::size_t looked_at_ = 0;  // vertices, in all searches
+  std::size_t looked_at_ = 0;  // vertices visited, in all searches
   std::unique_ptr<EdgeLandmarks> landmarks_;
   ProgressPoller poller_{{}, "draw"};
 };

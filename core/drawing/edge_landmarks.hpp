@@ -1,4 +1,4 @@
-// Landmarks are vertices from which the distances along edges are known to all others.
+// Landmarks are vertices with known distances along edges to all other vertices.
 #pragma once
 
 #include <array>
@@ -15,12 +15,12 @@ namespace talweg {
 /// 2005): two vertices are at least as far apart as their distances from any landmark differ.
 class EdgeLandmarks {
  public:
-  /// Landmarks in the component of `inside`, each the vertex that is farthest from those before.
-  /// O(n log n) for n vertices, 32 bytes for each. Throws Cancelled.
+  /// Chooses landmarks in the component of `inside`: each is the vertex farthest from the landmarks
+  /// chosen before. O(n log n) for n vertices, 32 bytes for each. Throws Cancelled.
   EdgeLandmarks(const Surface& surface, VertexId inside, ProgressPoller& poller);
 
   void aim(VertexId goal) { goal_ = of_vertex_[goal.index()]; }
-  /// No more than the distance from there to the goal, mesh units; 0 in other components.
+  /// A lower bound of the distance from the vertex to the goal, mesh units; 0 in other components.
   [[nodiscard]] double bound(VertexId vertex) const;
 
  private:

@@ -1,4 +1,4 @@
-// Even points are a curve's points anew, with equal steps along it.
+// Even points resample a curve with equal steps along its length.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace talweg {
 
-/// Either how many points there are or how far they are apart.
+/// Either the number of points or their distance.
 struct EvenPoints {
-  std::optional<std::size_t> count;  ///< at least 2, of a closed curve at least 3
+  std::optional<std::size_t> count;  ///< at least 2; for a closed curve at least 3
   double spacing = 0;                ///< mesh units, > 0; rounded so that the steps are equal
 };
 
 struct ResampledCurve {
-  PlacedCurve curve;   ///< a point and the next need not share a face; nothing is said of points
-  double spacing = 0;  ///< mesh units: the step along the curve as it was
+  PlacedCurve curve;   ///< successive points need not share a face; without marks
+  double spacing = 0;  ///< mesh units: the step, measured along the given curve
 };
 
-/// The most points of a resampled curve.
+/// The largest number of points of a resampled curve.
 constexpr std::size_t kMostEvenPoints = 10'000'000;
 
 /// Points on a curve at equal steps of its length on the surface. An open curve keeps its two ends;

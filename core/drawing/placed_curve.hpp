@@ -1,4 +1,4 @@
-// A placed curve is one as other programs take it: faces, barycentrics, positions.
+// A placed curve has the lists that other programs take: faces, barycentrics, positions.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct PlacedCurve {
   /// last point, the point before), with barycentrics in the order of Surface::corners().
   std::vector<FaceCoordinates> faces;
   std::vector<Point> positions;  ///< mesh units
-  /// The marks of the points (point_marks.hpp); empty if nothing is said of any.
+  /// The marks of the points (point_marks.hpp); empty if no point has a mark.
   std::vector<double> exact;
   std::vector<std::size_t> pins;  ///< indices of points that must stay, ascending
   /// The corners of the faces, and the number of the mesh's vertices; empty and 0 where the mesh is

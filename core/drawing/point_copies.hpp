@@ -1,4 +1,4 @@
-// Point copies tell where points of a drawing are on another surface.
+// Point copies map points of a drawing to the same points on another surface.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace talweg {
 
-/// O(1) for a point and each copy of it.
+/// A map from a point to its copies. O(1) for a point and each copy.
 class PointCopies {
  public:
   void add(const SurfacePoint& point, const SurfacePoint& copy) {

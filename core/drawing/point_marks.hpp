@@ -10,8 +10,8 @@
 
 namespace talweg {
 
-/// All functions here are O(points). A mark of 0 or more is that of a way-point: its tolerance in
-/// mesh units. There are three others.
+/// All functions here are O(points). The mark of a way-point is its tolerance in mesh units, 0 or
+/// more. The other marks are the three negative numbers below.
 constexpr double kNotSaid = -1;
 constexpr double kPainted = -2;
 constexpr double kControl = -3;  ///< see CurveInput::control_points; not in files
@@ -19,13 +19,14 @@ constexpr double kControl = -3;  ///< see CurveInput::control_points; not in fil
 /// Whether a number is a mark that a file may have.
 bool is_mark(double value);
 
-/// The marks of a curve's points, one for each; empty if nothing is said of any.
+/// The marks of a curve's points, one for each; empty if no point has a mark.
 std::vector<double> marks_of(const CurveInput& curve);
 /// Sets way-points and painted points from the marks. A curve must have as many points as marks.
 void set_marks(CurveInput& curve, std::span<const double> marks);
 
-/// The marks of a curve that was drawn through given points, which it has in this order: those have
-/// the marks given with them (without: they are way-points), and of the others nothing is said.
+/// The marks of a curve that was drawn through the given points, which it passes in this order. A
+/// given point has the mark that comes with it; without marks, all given points are way-points.
+/// Other points of the curve have kNotSaid.
 std::vector<double> marks_through(const SurfaceCurve& drawn, std::span<const SurfacePoint> given,
                                   std::span<const double> marks = {});
 

@@ -1,4 +1,4 @@
-// Sheet matching puts all points of a polyline on one side of a thin wall.
+// Sheet matching puts all points of a polyline on the same side of a thin wall.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,21 @@ namespace talweg {
 
 struct SheetMatching {
   std::vector<ClosestPoint::Result> points;  ///< one per position
-  std::size_t moved = 0;                     ///< points that were nearer to another sheet
-  std::size_t first_moved = 0;               ///< the first of these, if any
-  /// Pairs of successive points between which the surface has no way as short as that through
-  /// space, and the first of them, if any.
+  std::size_t moved = 0;                     ///< points that were not put on their nearest sheet
+  std::size_t first_moved = 0;               ///< the index of the first of them, if any
+  /// Pairs of successive points without a path over the surface about as short as the way through
+  /// space, and the first of these pairs, if any.
   std::size_t jumps = 0;
   std::size_t first_jump = 0;
 };
 
-/// Positions beside a thin wall may be nearer to its far side, one by one. The polyline is put on
-/// the surface as a whole, as GPS tracks are put on roads (Newson & Krumm 2009): of the sheets that
-/// lie near each position those are taken with the least sum of distances, and of two jumps' cost
-/// for each step from a point to one that cannot be reached over the faces within a ball about
-/// both. Steps over more than 16 mean edges are not looked at. `nearest` has the nearest points,
-/// one per position; where all steps between these can be walked they are the answer. O(faces near
-/// the polyline).
+/// Positions beside a thin wall may be nearer to its far side when each is projected alone. The
+/// polyline is therefore matched to the surface as a whole, as GPS tracks are matched to roads
+/// (Newson & Krumm 2009). Each position has a candidate on each sheet near it. The chosen
+/// candidates have the least sum of distances, plus the cost of two jumps for each step whose ends
+/// no path over the faces joins inside a ball about both. Steps over more than 16 mean edges are
+/// not examined. `nearest` has the nearest points, one per position; they are the answer where a
+/// path exists for all steps between them. O(faces near the polyline).
 SheetMatching matched_to_sheets(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                 std::span<const Point> positions, bool closed,
                                 std::vector<ClosestPoint::Result> nearest);

@@ -1,4 +1,4 @@
-// A snapped drawing is curves that were put on a mesh and joined there, and what that did to them.
+// A snapped drawing has the curves that were put on a mesh and joined there, and their warnings.
 #pragma once
 
 #include <array>
@@ -17,23 +17,23 @@ namespace talweg {
 
 struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
-  std::vector<bool> may_be_loop;  ///< per curve, see SnappedCurve; or none
-  /// Per curve how far apart in space the samples of a hand are at its start and at its end, the
-  /// largest of three steps, mesh units; 0 for what is no open stroke of a hand. Or none.
+  std::vector<bool> may_be_loop;  ///< per curve, see SnappedCurve; may be empty
+  /// Per curve the distance in space of the hand's samples at the start and at the end: the largest
+  /// of three steps, mesh units; 0 for a curve that is no open stroke of a hand. May be empty.
   std::vector<std::array<double, 2>> hand_steps;
   std::vector<SurfacePoint> pins;
-  std::vector<WayPoint> way_points;   ///< that the drawing names
-  std::vector<WayPoint> all_exact;    ///< instead, if a curve that names none has all its points
-  std::vector<SurfacePoint> painted;  ///< that the drawing names
+  std::vector<WayPoint> way_points;   ///< named by the drawing
+  std::vector<WayPoint> all_exact;    ///< the same, if others have all points exact
+  std::vector<SurfacePoint> painted;  ///< named by the drawing
   std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
-  std::vector<std::string> told;      ///< sentences on points that were put elsewhere
+  std::vector<std::string> told;      ///< sentences on points that were moved or left out
   double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
-  std::string better_fit;             ///< of the first curve that has one, see SnappedCurve
-  std::string moved;                  ///< sentences about that; empty if nothing was moved
-  /// Whether these must come first: it was moved far, or would fit better elsewhere.
+  std::string better_fit;             ///< from the first curve that has a text, see SnappedCurve
+  std::string moved;                  ///< sentences on moves onto the mesh; may be empty
+  /// Whether `moved` must come first: the drawing was moved far, or would fit better elsewhere.
   bool far = false;
   JoinedGaps gaps;
-  JoinedGaps gaps_in_strokes;  ///< those of curves without way-points, between which a leg is meant
+  JoinedGaps gaps_in_strokes;  ///< only in curves without way-points
 
   /// Adds curves whose points are joined straight over the surface. Throws as
   /// StraightLines::join(). O(points log points), and the lines over gaps.
@@ -41,7 +41,8 @@ struct SnappedDrawing {
            const Progress& progress = {});
   /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// Those of them by which a result may be of no use: moved far, or gaps joined in a stroke.
+  /// The warnings by which a result may be useless: the drawing was moved far, or gaps were joined
+  /// in a stroke.
   [[nodiscard]] std::vector<std::string> decisive() const;
   /// Adds warnings to `all`: at the front if the drawing was moved far, otherwise at the end.
   void add_to(std::vector<std::string>& all, const std::vector<std::string>& warnings) const {

@@ -1,4 +1,4 @@
-// Snapping puts what a curve file holds onto a mesh.
+// Snapping puts the curves of a file onto a mesh.
 #pragma once
 
 #include <array>
@@ -17,48 +17,53 @@
 namespace talweg {
 
 struct SnapOptions {
-  /// If set, successive vertex ids need not be neighbours, because the caller connects them.
+  /// If set, successive vertex ids need not be neighbours, because the caller connects the
+  /// vertices.
   bool connect = false;
 };
 
-/// What was left out of a stroke at one of its ends, because it ran over the border of the mesh.
+/// The part of a stroke that was cut off at one end, because it ran over the border of the mesh.
 struct BeyondBorder {
   std::size_t points = 0;
-  double farthest = 0;  ///< mesh units: of these from the mesh
+  double farthest = 0;  ///< mesh units: the largest distance of these samples from the mesh
 };
 
 /// A curve's points on a mesh; consecutive ones differ but need not share a face.
 struct SnappedCurve {
-  bool closed = false;               ///< the first point is not repeated
-  std::vector<SurfacePoint> points;  ///< at least two, at least three where closed
-  double largest_snap_distance = 0;  ///< of 3D positions, mesh units
-  std::size_t merged = 0;            ///< points dropped because they coincide with the point before
-  std::vector<std::size_t> pins;     ///< indices of points, ascending
+  bool closed = false;                    ///< the first point is not repeated
+  std::vector<SurfacePoint> points;       ///< at least two, at least three where closed
+  double largest_snap_distance = 0;       ///< of 3D positions, mesh units
+  std::size_t merged = 0;                 ///< points dropped because they equal the point before
+  std::vector<std::size_t> pins;          ///< indices of points, ascending
   std::vector<InputWayPoint> way_points;  ///< ascending; each index once
   std::vector<std::size_t> painted;       ///< ascending; no way-points
-  /// An open stroke of a hand: given as positions, or painted, and without way-points. One that
-  /// runs over the border is no loop.
+  /// An open stroke of a hand: given as positions, or painted, and without way-points. A stroke
+  /// that runs over the border is never a loop.
   bool of_hand = false, may_be_loop = false;
   std::array<BeyondBorder, 2> beyond_border;  ///< at the start and at the end
   std::vector<std::string> told;  ///< the input's sentences, and others on points put elsewhere
-  std::string better_fit;         ///< words on a space, unit or place in which it would fit
+  std::string better_fit;         ///< the text of better_fit()
   std::string why_stroke;         ///< a sentence if control points were not taken for way-points
 };
 
 /// Puts a curve on the mesh.
 ///
-/// Vertex ids must exist, and each must be a neighbour of the one before (unless `connect`). Points
-/// in faces are taken as they are; but pins, way-points, and points that share no face with a
-/// neighbour are settled (straight_lines.hpp). So are points between vertices, which must be those
-/// of a face as far as their weights are not 0. Positions are moved to the nearest point of the
-/// mesh. They are then moved to a vertex, or else an edge, that lies within 1e-9 of the face's
-/// longest side or within the rounding of single-precision coordinates (1.2e-7 of the largest one,
-/// but no more than 1e-4 of the longest side). So mesh vertices are recognised from files with 9
-/// digits or 32-bit floats. Those of a stroke are first rid of spikes (stroke_spikes.hpp), put on
-/// one side of thin walls (sheet_matching.hpp), and cut off where an open one runs over the border
-/// of the mesh (border_runs.hpp), so that it ends exactly there. Points in faces and positions that
-/// coincide with the one before are merged; the point that stays is what any of them was: a
-/// way-point with the smallest tolerance, a painted one.
+/// Vertex ids must exist, and each must be a neighbour of the id before (unless `connect`). Points
+/// in faces stay as they are, except that pins, way-points, and points that share no face with a
+/// neighbour are settled (straight_lines.hpp). Points between vertices are treated alike; the
+/// vertices whose weights are not 0 must be corners of one face.
+///
+/// Positions are moved to the nearest point of the mesh. A nearest point is then moved to a vertex,
+/// or else an edge, that lies within 1e-9 of the face's longest side or within the rounding of
+/// single-precision coordinates (1.2e-7 of the largest coordinate, but no more than 1e-4 of the
+/// longest side). So mesh vertices are recognised in files with 9 digits or 32-bit floats. Before
+/// they are moved, the positions of a stroke are rid of spikes (stroke_spikes.hpp), put on one side
+/// of thin walls (sheet_matching.hpp), and cut off where an open stroke runs over the border of the
+/// mesh (border_runs.hpp), so that the stroke ends exactly on the border.
+///
+/// Points in faces and positions that coincide with the point before are merged. The point that
+/// stays inherits the marks of all merged points: it is a way-point with the smallest tolerance, or
+/// painted, if any of them was.
 ///
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not
@@ -80,14 +85,14 @@ std::vector<SnappedCurve> snap(const SurfaceMesh& mesh, std::span<const CurveInp
                                std::optional<ClosestPoint>& closest,
                                const SnapOptions& options = {}, const Progress& progress = {});
 
-/// The beginning of snap_warning()'s sentence where the drawing was moved far.
+/// The first words of snap_warning()'s sentence where the drawing was moved far.
 constexpr std::string_view kFarFromMesh = "The drawing lies far from the mesh";
 
-/// Whether a drawing that was moved this far may belong to another mesh, place or unit: farther
-/// than three mean edges.
+/// Whether a move is so large that the drawing may belong to another mesh, place or unit: more than
+/// three mean edges.
 bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh);
 
-/// A sentence on how far a drawing was moved; empty where it was not, or by rounding only: at most
+/// A sentence on how far a drawing was moved; empty where no point moved by more than rounding,
 /// 1e-4 mean edges.
 std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh);
 

@@ -13,10 +13,10 @@
 
 namespace talweg {
 
-/// Gaps in a drawing: consecutive points that share no face and lie more than four times as far
-/// apart as usual, which suggests that something is missing there. A quarter of the drawing's
-/// length lies in segments no longer than usual, so that rests of the hand do not count. Clicked
-/// points are all far apart, so they have no gaps.
+/// Gaps in a drawing: pairs of successive points that share no face and lie more than four times
+/// the usual distance apart, which suggests missing points. The usual distance is the length up to
+/// which segments make a quarter of the drawing's length, so that rests of the hand do not count.
+/// Drawings through clicks have no gaps, because all their points are far apart.
 struct JoinedGaps {
   std::size_t count = 0;
   double longest = 0;  ///< mesh units
@@ -30,9 +30,9 @@ struct JoinedGaps {
 /// A sentence that reports the gaps; empty where there are none.
 std::string gap_warning(const JoinedGaps& gaps);
 
-/// Joins surface points by straight lines (geodesics). The memory is allocated once per object,
-/// when it is first given points that share no face; a call costs what its lines touch. The surface
-/// must outlive the object. One thread at a time.
+/// Joins surface points by straight lines (geodesics). An object allocates its memory once, at the
+/// first points that share no face; a call costs O(faces that its lines touch). The surface must
+/// outlive the object. One thread at a time.
 class StraightLines {
  public:
   explicit StraightLines(const Surface& surface);
@@ -40,11 +40,11 @@ class StraightLines {
   StraightLines& operator=(StraightLines&&) noexcept;
   ~StraightLines();
 
-  /// A curve through the points, in order. Two points of a common face are joined inside it; others
-  /// by the geodesic that FlipOut finds from a shortest edge path between them, which is locally,
-  /// not always globally, shortest. Successive points that coincide count as one. Throws
-  /// Error(kBadCurve) when two points lie on different components, or fewer than two (three if
-  /// closed) different ones are left; Cancelled when `progress` (stage "draw") says so.
+  /// A curve through the points, in order. Two points of a common face are joined inside it. Other
+  /// points are joined by the geodesic that FlipOut finds from a shortest edge path, which is
+  /// locally, not always globally, shortest. Successive points that coincide count as one. Throws
+  /// Error(kBadCurve) when two points lie on different components, or when fewer than two different
+  /// points (three if closed) remain; throws Cancelled when `progress` (stage "draw") says so.
   SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
                     const Progress& progress = {});
   /// The gaps found by the last join().
@@ -69,10 +69,10 @@ class StraightLines {
   std::unique_ptr<Workshop> workshop_;
 };
 
-/// The point itself, or the vertex or else the point on an edge from which it is at most 1e-9 away,
-/// in barycentric coordinates of its face or as a part of its edge. Straight lines cannot be
-/// straightened from a point that lies a rounding beside a vertex: the directions of what lies
-/// between are noise. O(1).
+/// The point itself, or the vertex or else the point on an edge at most 1e-9 away, in barycentric
+/// coordinates of the point's face or as a part of its edge. A geodesic from a point that lies a
+/// rounding beside a vertex cannot be straightened, because the directions of the tiny edges
+/// between them are noise. O(1).
 SurfacePoint settled(const Surface& surface, const SurfacePoint& point);
 
 }  // namespace talweg

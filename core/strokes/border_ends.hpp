@@ -1,5 +1,5 @@
-// Border ends are ends of open curves that are led to the border of the mesh, because they stop a
-// little before it.
+// Border ends are ends of open curves that stop a little before the mesh's border and are extended
+// to it.
 #pragma once
 
 #include <string_view>
@@ -10,26 +10,27 @@
 
 namespace talweg {
 
-/// What becomes of ends that lie near the border.
+/// The treatment of curve ends that lie near the border.
 enum class BorderEnds {
-  kSnap,   ///< they are led straight to it
-  kLeave,  ///< nothing
+  kSnap,   ///< they are extended straight to the border
+  kLeave,  ///< they stay as drawn
 };
-/// Of "snap" and "leave". Throws Error(kBadUsage) for others.
+/// The value named "snap" or "leave". Throws Error(kBadUsage) for other names.
 BorderEnds border_ends(std::string_view name);
 
-/// Which curves are looked at.
+/// The curves whose ends are extended.
 enum class LedCurves {
   kStrokes,  ///< open strokes of a hand, without way-points
-  kAll,      ///< all that are open
+  kAll,      ///< all open curves
 };
 
-/// Leads ends straight to the nearest point of the border, and tells which, and how far. "Near" is
-/// two edges of the mesh around the end, or one and a half times the distance of a hand's last
-/// samples (at most a twelfth of the curve's length), but no more than half the curve's length. An
-/// end at which another curve passes stays. The new end is no way-point, but for a drawing all
-/// points of which are taken exactly. Throws as StraightLines::join(). O(faces within that distance
-/// of each end), and the points of all curves for an end that is led.
+/// Extends ends straight to the nearest point of the border, and adds a sentence on which ends, and
+/// how far. An end is near the border within two edge lengths of the mesh around it, or one and a
+/// half times the distance of a hand's last samples (at most a twelfth of the curve's length), but
+/// no more than half the curve's length. An end at which another curve passes stays. The new end is
+/// a way-point only in a drawing all points of which are taken exactly. Throws as
+/// StraightLines::join(). O(faces within that distance of each end), and the points of all curves
+/// for each extended end.
 SnappedDrawing with_ends_at_border(const SurfaceMesh& mesh, SnappedDrawing drawing,
                                    StraightLines& lines, LedCurves which = LedCurves::kAll);
 

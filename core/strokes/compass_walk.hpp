@@ -16,18 +16,19 @@ struct PolylinePlace {
   Point at = Point::Zero();
 };
 
-/// The step, or the least one that is worth to be walked if that is longer: places between samples
-/// of the polyline say nothing new, so there are at most 4096 and 16 for each point.
+/// The given step, or the least useful step if that is longer. Places between the samples of a
+/// polyline add no information, so a walk has at most 4096 places, and at most 16 for each point.
 double walkable_step(std::span<const Point> points, bool closed, double step);
 
-/// The places of a walk: it begins at the first point, and each place is where the polyline first
-/// leaves the ball of radius `step` > 0 about the one before. So the walk does not see how the
-/// polyline was sampled: what rests within a step, or trembles there, is passed over. With
-/// `rejoining` it is where the polyline leaves that ball for the last time before it leaves the one
-/// of twice the radius: small loops and ways back are passed over, too. An open polyline's last
-/// point is a place, and none lies nearer to it than half a step. A closed one goes on to the first
-/// point, which is not repeated. O(points + places); rejoining, each step looks again at what lies
-/// within two of them.
+/// The places of a walk along a polyline. The walk begins at the first point, and each next place
+/// is where the polyline first leaves the ball of radius `step` > 0 about the place before. So the
+/// result does not depend on the sampling, and rests or trembling smaller than a step are passed
+/// over. With `rejoining`, the next place is where the polyline last leaves that ball before it
+/// leaves the ball of twice the radius; so small loops and ways back are passed over, too.
+///
+/// The last point of an open polyline is a place, and no other place lies nearer to it than half a
+/// step. A closed polyline is walked on to its first point, which is not repeated. O(points +
+/// places); with `rejoining`, each step visits the polyline up to two steps ahead.
 std::vector<PolylinePlace> compass_walk(std::span<const Point> points, bool closed, double step,
                                         bool rejoining = false);
 

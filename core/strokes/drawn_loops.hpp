@@ -1,4 +1,4 @@
-// Drawn loops are the strokes of a drawing whose hand meant a loop.
+// Drawn loops are strokes of a drawing whose hand meant a closed curve.
 #pragma once
 
 #include "talweg/core/drawing/snapped_drawing.hpp"
@@ -8,10 +8,10 @@
 
 namespace talweg {
 
-/// The drawing with the loops of closed_loop() closed, and told of where nobody asked for them; of
-/// gap_of_near_loop() is told, too. As drawn, only strokes are looked at that were given as
-/// positions, or painted, without way-points. Pins and way-points are never cut off. Throws as
-/// StraightLines::join().
+/// The drawing after closed_loop() has closed the strokes that are meant as loops. A sentence tells
+/// of each loop closed without the user's request, and of each gap of gap_of_near_loop(). With
+/// CurveEnds::kAsDrawn, only strokes that were given as positions or painted, and have no
+/// way-points, are closed. Pins and way-points are never cut off. Throws as StraightLines::join().
 SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing,
                                  StraightLines& lines, CurveEnds ends);
 

@@ -1,4 +1,4 @@
-// An even stroke has its places at one distance from each other, however it was sampled.
+// An even stroke has places at equal distances, whatever the sampling of the stroke.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@ struct EvenStroke {
   double step = 0;                ///< mesh units, through space
   std::vector<Point> at, normal;  ///< per place, and the unit normal of its face
 
-  /// What is left of the stroke's length when it is walked in these steps.
+  /// The length of the stroke as the walk in these steps measures it.
   [[nodiscard]] double length() const { return step * static_cast<double>(at.size()); }
 };
 
-/// The stroke walked with a compass (compass_walk.hpp) in steps that are worth it, see
-/// walkable_step(). O(points · degree + places).
+/// The stroke after a compass walk (compass_walk.hpp) with the step of walkable_step(). O(points ·
+/// degree + places).
 EvenStroke even_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double step);
 
 }  // namespace talweg

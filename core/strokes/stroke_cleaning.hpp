@@ -1,4 +1,5 @@
-// Cleaning a stroke leaves out what its hand did not mean: rests, scribbles, hooks at the ends.
+// Cleaning removes parts of a stroke that its hand did not mean: rests, scribbles, hooks at the
+// ends.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +11,15 @@
 
 namespace talweg {
 
-/// What is left of a stroke, and what was left out.
+/// A stroke after cleaning, and the numbers of removed parts.
 struct CleanedStroke {
   SurfaceCurve curve;
-  /// Per point of the curve where it was on the given one: k + t is at t of the way from its point
-  /// k to the next. Empty if nothing was left out, and the curve is the given one.
+  /// The place of each point on the given curve: k + t lies at part t of the segment from point k
+  /// to the next. Empty if the curve is the given one.
   std::vector<double> places;
   std::size_t rests = 0;  ///< places where the hand stood still
   std::size_t hooks = 0;  ///< ends that were cut off, 0 to 2
-  double farthest = 0;    ///< mesh units, through space: of what was left out from what is left
+  double farthest = 0;    ///< mesh units: of removed parts from the rest, through space
 
   [[nodiscard]] bool is_cleaned() const { return !places.empty(); }
 };
@@ -28,20 +29,21 @@ struct FreeEnds {
   bool start = true, end = true;
 };
 
-/// Leaves out the rests of a stroke (hand_rests.hpp): of each, one point is left, which straight
-/// lines through the faces join to what lies before and after it. O(points).
+/// Removes the rests of a stroke (hand_rests.hpp). One point of each rest stays, and straight lines
+/// through the faces join it to the stroke before and after the rest. O(points).
 CleanedStroke without_rests(const SurfaceMesh& mesh, const SurfaceCurve& stroke);
 
-/// Leaves out rests and, where `trembling` (mesh units, >= 0) is not 0, what lies within a quarter
-/// of it of what is left: the stroke is walked with a compass (compass_walk.hpp, rejoining), and
-/// its places are joined by straight lines through the faces that it passes. An end that hooks back
-/// by more than half of `trembling` begins where the hook turns. Strokes whose points are no nearer
-/// to each other than an eighth of `trembling` stay as they are, to the last bit. O(points).
+/// Removes rests and, where `trembling` (mesh units, >= 0) is not 0, detail within a quarter of
+/// `trembling` from the cleaned stroke: the stroke is walked with a compass (compass_walk.hpp,
+/// rejoining), and straight lines join the places of the walk through the faces that the stroke
+/// passes. A stroke that hooks back at a free end by more than half of `trembling` begins where the
+/// hook turns. Strokes whose points are nowhere nearer to each other than an eighth of `trembling`
+/// stay as they are, to the last bit. O(points).
 CleanedStroke cleaned_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double trembling,
                              FreeEnds ends = {});
 
-/// The straight line between the ends of an open curve, through the faces that it passes; none
-/// where there is none. O(points).
+/// The straight line between the ends of an open curve, through the faces that the curve passes;
+/// none where no straight line exists in these faces. O(points).
 std::optional<CleanedStroke> straight_line_along(const Surface& surface, const SurfaceCurve& curve);
 
 }  // namespace talweg
