@@ -19,7 +19,7 @@ constexpr std::string_view kWouldFit = "would fit ";
 /// number. On it means within a mean edge in the mean, and ten times nearer than now; when scaled,
 /// as a part of their own extent.
 ///
-/// Words like "would fit 40 times better with x and y turned, as between RAS and LPS"; empty where
+/// Words like "would fit 40 times better with x and y negated, as between RAS and LPS"; empty where
 /// nothing fits, and where positions lie within a quarter of a mean edge in the mean. At most 32
 /// positions are looked at, so it takes O(log faces) for positions near the mesh.
 std::string better_fit(const SurfaceMesh& mesh, const ClosestPoint& closest,

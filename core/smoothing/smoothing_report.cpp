@@ -37,9 +37,8 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
                      "too many points for so few faces."});
   }
   if (termination == Termination::kCollapsed) {
-    warn_decisively(
-        report,
-        {"The loop shrinks to a point; it is returned as it was when it fell below the floor."});
+    warn_decisively(report, {"The loop shrinks to a point; the result is the loop as it was when "
+                             "its length fell below the least length (length_floor)."});
   }
   if (smoothed.counts.blocked > 0) {
     report.warnings.push_back(
@@ -52,7 +51,7 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
 void warn_of_crossings(SmoothingReport& report) {
   if (report.crossings_after == report.crossings_before) return;
   std::string sentence =
-      fmt::format("The drawing crosses itself and others {} times, the result {} times.",
+      fmt::format("The drawing crosses itself and other curves {} times, the result {} times.",
                   report.crossings_before, report.crossings_after);
   if (report.crossings_after > report.crossings_before) {
     warn_decisively(report, {std::move(sentence)});
