@@ -91,6 +91,7 @@ export async function aSoupIsWelded() {
     await page.page.waitForFunction(() => document.getElementById('mesh-name').textContent.includes('repaired'));
     await page.rest();
     assert.match(await page.text('repair-why'), /^Repaired: 224 faces and 114 vertices/);
+    assert.match(await page.text('mesh-facts'), /^faces224vertices114size/);
     for (const at of (await around(page, 40)).slice(0, 3)) await page.click(...at);
     await page.key('Enter');
     assert.deepEqual(await page.curves(), ['Curve 1 open, 3 points']);

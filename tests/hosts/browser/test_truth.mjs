@@ -103,6 +103,16 @@ export async function aBoundThatCannotBeHeld() {
   assert.doesNotMatch((await badges(page))[0], /No curve within/);
 }
 
+/** The library counts curves from 0 and knows no unit. Both ends are 1 away from the border. */
+export async function sentencesHaveThePagesWords() {
+  const page = await drawn([[1, 10], [29, 10]]);
+  await page.page.select('#mesh-unit', 'cm');
+  await page.rest();
+  await page.act('cut');
+  assert.match(await page.text('notes'), /The start of Curve 1 lies 1(\.0+)? cm before the border/);
+  await page.picture('words');
+}
+
 /** A leg from a stroke to a click is no gap. */
 export async function strokesAndClicks() {
   const page = await withMesh();

@@ -6,13 +6,14 @@ import type { DrawingWork } from '../actions/drawing_work';
 import { numberText } from '../state/numbers';
 import { whyOwnIsIdle } from '../state/idle';
 import { verdicts } from '../state/verdict';
+import { worded } from '../state/wording';
 import { type Acts, byId, element, enable, input, numberIn, setBox, setText } from '../elements';
 
 export class CurvePanel {
   constructor(private readonly store: Store, private readonly drawing: DrawingWork) {
     store.watch((now, before) => {
       if (changed(now, before, 'drawing', 'chosen')) this.update(now);
-      if (changed(now, before, 'drawing', 'chosen', 'smoothed')) showBadges(now);
+      if (changed(now, before, 'drawing', 'chosen', 'smoothed', 'mesh')) showBadges(now);
     });
     this.bindForm();
   }
@@ -103,7 +104,7 @@ function showBadges(state: State): void {
   const rows = [...byId('curve-list').children];
   for (const row of rows) row.querySelector('.badge')?.remove();
   for (const { curve, decisive } of verdicts(state)) {
-    const badge = element('p', decisive.map((one) => one.sentence).join(' '));
+    const badge = element('p', decisive.map((one) => worded(one.sentence, state)).join(' '));
     badge.className = 'badge';
     badge.title = badge.textContent ?? '';
     rows[curve]?.append(badge);

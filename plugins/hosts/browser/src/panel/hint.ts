@@ -2,12 +2,13 @@
 import { nameOf, type State } from '../state/state';
 import { changed, type Store } from '../state/store';
 import { firstVerdict, verdicts } from '../state/verdict';
+import { worded } from '../state/wording';
 import { byId, enable, setText } from '../elements';
 
 export function bindHint(store: Store): void {
   store.watch((now, before) => {
     if (changed(now, before, 'drawing', 'under', 'chosen', 'mesh', 'cut', 'kept', 'undo', 'redo')) update(now);
-    if (changed(now, before, 'drawing', 'chosen', 'cut', 'smoothed')) warn(now);
+    if (changed(now, before, 'drawing', 'chosen', 'cut', 'smoothed', 'mesh')) warn(now);
   });
 }
 
@@ -18,7 +19,7 @@ function warn(state: State): void {
   const all = verdicts(state), more = all.reduce((sum, { decisive }) => sum + decisive.length, 0) - 1;
   const whose = state.drawing.curves.length > 1 ? `${first?.name}: ` : '';
   const others = more > 0 ? ` (and ${more} more: see “Curves”)` : '';
-  setText('alert-text', first ? whose + first.decisive[0].sentence + others : '');
+  setText('alert-text', first ? whose + worded(first.decisive[0].sentence, state) + others : '');
   const button = document.querySelector<HTMLElement>('[data-act="go-alert"]');
   if (button) button.hidden = !first?.decisive.some((one) => one.at);
 }

@@ -4,6 +4,7 @@ import { changed, type Store } from '../state/store';
 import { countText, lengthText } from '../state/numbers';
 import { unitName, unitOf, units } from '../state/units';
 import { byId, element, fill, setBox, setText } from '../elements';
+import { worded } from '../state/wording';
 import { repairWords } from './repair_words';
 
 export function bindMeshPanel(store: Store): void {
@@ -38,23 +39,23 @@ function tell(state: State): void {
   document.title = mesh ? `${mesh.name} – Talweg` : pageTitle;
   for (const words of document.querySelectorAll('.unit')) words.textContent = `in ${unit || 'units of the mesh'}`;
   if (!mesh) return;
-  const { info } = mesh;
+  const { info } = mesh, { faces, vertices } = info.repaired ?? info;
   setText('mesh-name', mesh.repaired ? `${mesh.name} (repaired)` : mesh.name);
   fill('mesh-facts', [
-    ['faces', countText(info.faces)],
-    ['vertices', countText(info.vertices)],
+    ['faces', countText(faces)],
+    ['vertices', countText(vertices)],
     ['size', lengthText(info.size, unit)],
     ['edge', lengthText(info.meanEdge, unit)],
   ].flatMap(([name, value]) => [element('dt', name), element('dd', value)]));
   tellUnit(mesh);
-  tellRepair(mesh, unit);
+  tellRepair(state, mesh, unit);
 }
 
-function tellRepair({ info, weld }: OpenMesh, unit: string): void {
+function tellRepair(state: State, { info, weld }: OpenMesh, unit: string): void {
   const words = repairWords(info, unit);
   byId('repair').hidden = !words;
   byId('repair').querySelector('button')!.textContent = info.repaired ? 'Repair again' : 'Repair';
   setBox('weld', weld === undefined || weld === null ? '' : String(weld));
   setText('repair-why', words?.why ?? '');
-  fill('repair-list', (words?.items ?? []).map((sentence) => element('li', sentence)));
+  fill('repair-list', (words?.items ?? []).map((sentence) => element('li', worded(sentence, state))));
 }

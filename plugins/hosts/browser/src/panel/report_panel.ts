@@ -5,6 +5,7 @@ import { changed, type Store } from '../state/store';
 import { angleText, lengthText, numberText } from '../state/numbers';
 import { unitOf } from '../state/units';
 import { farthestText, farthestWhat } from '../state/verdict';
+import { worded } from '../state/wording';
 import { byId, element, fill } from '../elements';
 
 export function bindReportPanel(store: Store): void {
@@ -25,7 +26,7 @@ function tell(state: State): void {
   const decisive = new Set(reports.flatMap((report) => report.decisive.map((one) => one.sentence)));
   const notes = new Set([...decisive, ...smoothed?.notes ?? [], ...reports.flatMap((report) => report.warnings)]);
   fill('notes', [...notes].map((note) => {
-    const item = element('li', note);
+    const item = element('li', worded(note, state));
     if (decisive.has(note)) item.className = 'trouble';
     return item;
   }));
