@@ -187,18 +187,20 @@ void LidChooser::refuse(LidKind kind) const {
                   at.x(), at.y(), at.z(), curve);
   const double distance = distance_from_plane(points_, rim);
   if (kind == LidKind::kPlanar && distance > kPlaneTolerance) {
-    throw Error(ErrorCode::kBadCurve,
-                name + fmt::format(" is not plane: its points lie up to {:.2g} of its extent off.",
-                                   distance));
+    throw Error(
+        ErrorCode::kBadCurve,
+        name + fmt::format(
+                   " is not planar: its points lie up to {:.2g} of its extent away from a plane.",
+                   distance));
   }
   if (kind == LidKind::kPlanar && !best_.lid) {
     throw Error(ErrorCode::kBadCurve,
-                name + " is plane but touches or crosses itself, so no plane lid fits it.");
+                name + " is planar but touches or crosses itself, so no planar lid fits it.");
   }
   throw Error(ErrorCode::kBadCurve,
               name + fmt::format(" cannot be closed: every {}lid goes through the mesh there, by "
                                  "{:.2g} of the rim's extent at least.",
-                                 kind == LidKind::kPlanar ? "plane " : "", best_.depth / extent_));
+                                 kind == LidKind::kPlanar ? "planar " : "", best_.depth / extent_));
 }
 
 Lid LidChooser::choose(const std::vector<Loop>& rims, LidKind kind) {

@@ -30,8 +30,8 @@ void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams
   for (std::size_t c = 0; c < seams.left.size(); ++c) {
     if (separates(seams, c) || seams.left[c].empty() || seams.right[c].empty()) continue;
     throw Error(ErrorCode::kBadCurve,
-                fmt::format("{} So keep {} says nothing.", why_not_separated(mesh, cut, seams, c),
-                            name_of(keep)));
+                fmt::format("{} So there is no {} side to keep.",
+                            why_not_separated(mesh, cut, seams, c), name_of(keep)));
   }
 }
 
@@ -45,8 +45,8 @@ void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams
       for (std::size_t d = 0; d < there.size(); ++d) {
         if (std::find(there[d].begin(), there[d].end(), k) == there[d].end()) continue;
         throw Error(ErrorCode::kBadCurve,
-                    fmt::format("keep {} leaves nothing: what lies on the {} of curve {} lies on "
-                                "the {} of curve {}; turn one of them around.",
+                    fmt::format("keep {} leaves nothing: the part on the {} of curve {} is also on "
+                                "the {} of curve {}; reverse one of the two curves.",
                                 side, side, c, left ? "right" : "left", d));
       }
     }

@@ -68,7 +68,7 @@ std::vector<Change> turns() {
   patient(0, 0) = patient(1, 1) = -1;
   up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   return {
-      {patient, Point::Zero(), "with x and y turned, as between RAS and LPS"},
+      {patient, Point::Zero(), "with x and y negated, as between RAS and LPS"},
       {up, Point::Zero(), "as (x, z, -y), as where z is up in it and y in the mesh"},
       {up.transpose(), Point::Zero(), "as (x, -z, y), as where y is up in it and z in the mesh"}};
 }

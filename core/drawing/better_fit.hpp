@@ -20,7 +20,7 @@ constexpr std::string_view kWouldFit = "would fit ";
 /// fits if the mean distance to the mesh becomes at most a mean edge and a tenth of the present
 /// one; for a scale the distance is compared as a part of the positions' own extent.
 ///
-/// Returns words like "would fit 40 times better with x and y turned, as between RAS and LPS". The
+/// Returns words like "would fit 40 times better with x and y negated, as between RAS and LPS". The
 /// text is empty where no change fits, and where the present mean distance is within a quarter of a
 /// mean edge. At most 32 positions are measured, so the cost is O(log faces) for positions near the
 /// mesh.

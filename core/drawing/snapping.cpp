@@ -229,17 +229,17 @@ void tell_matching(const SheetMatching& matching, const std::vector<Point>& posi
                    SnappedCurve& curve) {
   if (matching.moved > 0) {
     curve.told.push_back(fmt::format(
-        "{} of {} points of a curve {} nearer to another side of a thin wall than to that of the "
-        "others, and {} put there, the first at {}.",
+        "{} of {} points of a curve {} nearer to the other side of a thin wall than the rest of "
+        "the curve, and {} put on the side of the rest, the first at {}.",
         matching.moved, positions.size(), matching.moved == 1 ? "is" : "are",
         matching.moved == 1 ? "was" : "were", at_place(positions[matching.first_moved])));
   }
   if (matching.jumps > 0) {
-    curve.told.push_back(fmt::format(
-        "A curve goes through space in {} {} where the surface is no way as short, the first at "
-        "{}.",
-        matching.jumps, matching.jumps == 1 ? "place" : "places",
-        at_place(positions[matching.first_jump])));
+    curve.told.push_back(
+        fmt::format("A curve jumps through space in {} {} where every way over the surface is much "
+                    "longer, the first at {}.",
+                    matching.jumps, matching.jumps == 1 ? "place" : "places",
+                    at_place(positions[matching.first_jump])));
   }
 }
 
@@ -352,11 +352,10 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<st
     if (!std::binary_search(spikes.begin(), spikes.end(), k)) kept.push_back((*samples)[k]);
   }
   told.push_back(fmt::format(
-      "{} of {} points of a curve {} far from those before and after {}, as of a tracker that was "
+      "{} of {} points of a curve {} far from the points before and after, as when a tracker is "
       "disturbed, and {} left out, the first at {}.",
       spikes.size(), samples->size(), spikes.size() == 1 ? "lies" : "lie",
-      spikes.size() == 1 ? "it" : "them", spikes.size() == 1 ? "was" : "were",
-      at_place((*samples)[spikes.front()])));
+      spikes.size() == 1 ? "was" : "were", at_place((*samples)[spikes.front()])));
   CurveInput rest = curve;
   rest.points = std::move(kept);
   return rest;
@@ -484,9 +483,8 @@ std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) 
                        largest_snap_distance);
   }
   return fmt::format(
-      "{}: it was moved onto the mesh, by up to {:.3g} mesh units, {:.1f} mean edges. Is it of "
-      "this "
-      "mesh, and in its unit?",
+      "{}: it was moved onto the mesh, by up to {:.3g} mesh units, {:.1f} mean edges. Does the "
+      "curve belong to this mesh, and is it in the mesh's unit?",
       kFarFromMesh, largest_snap_distance, largest_snap_distance / mesh.mean_edge_length());
 }
 

@@ -78,10 +78,11 @@ const NamedNumbers& chosen(const Source& source, const std::vector<NamedNumbers>
     if (names.size() < 100) names += (names.empty() ? "" : ", ") + printable(numbers.name);
   }
   cannot_read(source.path,
-              fmt::format("it has no labels called {}, but {}",
+              fmt::format("it has no labels called {}; {}",
                           property.empty() ? "label, labels, segment, region, class or scalar_label"
                                            : printable(property),
-                          names.empty() ? "nothing of one number per face or vertex" : names));
+                          names.empty() ? "nothing in it has one number per face or vertex"
+                                        : "it has " + names));
 }
 
 std::vector<std::int64_t> whole_numbers(const Source& source, const NamedNumbers& numbers,

@@ -67,8 +67,8 @@ std::string freesurfer_label(const LabelContent& content) {
     if (is_other(labels[v])) continue;
     if (labels[v] != *one) {
       cannot_write(content.path,
-                   fmt::format("a .label holds one label beside 0 and -1, and these are {} and {} "
-                               "(.annot and .label.gii hold all)",
+                   fmt::format("a .label holds one label beside 0 and -1, but the labels have {} "
+                               "and {} (.annot and .label.gii hold all)",
                                *one, labels[v]));
     }
     const Point& p = content.mesh.points[v];
@@ -140,7 +140,7 @@ void check_label_name(const std::filesystem::path& name) {
 void check_label_kind(const std::filesystem::path& name, bool of_faces) {
   const LabelFormat* format = format_of(name);
   if (format == nullptr || !of_faces || !format->of_vertices_only) return;
-  cannot_write(name, fmt::format("a {} holds labels of vertices, and these are of faces",
+  cannot_write(name, fmt::format("a {} holds labels of vertices, but the labels are those of faces",
                                  format->extension));
 }
 

@@ -46,7 +46,7 @@ FormatReader format_reader_of(const std::filesystem::path& path) {
   }
   const std::string known = fmt::format("; expected {}.", readable_meshes());
   if (extension.empty()) bad_file(path, "the file name has no extension" + known);
-  bad_file(path, fmt::format("'{}' is no mesh format we read{}{}", printable(extension),
+  bad_file(path, fmt::format("'{}' is no mesh format that Talweg reads{}{}", printable(extension),
                              instead_of(path), known));
 }
 

@@ -115,7 +115,7 @@ std::vector<LabelBorder> borders_of(BorderGraph& graph, const PointOf& point_of)
     borders.push_back(std::move(border));
   });
   if (borders.empty()) {
-    throw Error(ErrorCode::kBadCurve, "No two neighbours have different labels: no border.");
+    throw Error(ErrorCode::kBadCurve, "All neighbours have the same label, so there is no border.");
   }
   return borders;
 }

@@ -66,8 +66,8 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const HeatSettings& 
   mollification_ = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
   if (mollification_ > 0) {
     warnings_.push_back(
-        fmt::format("Needle triangles: edges were lengthened by up to {:.3g}, {:.3g} mean edge "
-                    "lengths, for the distance (and only for it).",
+        fmt::format("The mesh has needle triangles: to compute the distance, and for nothing else, "
+                    "edges were lengthened by up to {:.3g} mesh units, {:.3g} mean edge lengths.",
                     mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
   }
   solve_ms_ = watch.ms();

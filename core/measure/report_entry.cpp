@@ -49,7 +49,7 @@ Json& member(Json& group, const std::string& part, const std::string& key) {
   if (is_index(group, part)) return group[static_cast<std::size_t>(std::stoul(part))];
   if (group.is_object() || group.is_null()) return group[part];
   throw Error(ErrorCode::kBadUsage,
-              "The report's entry \"" + key + "\" does not fit those before it.");
+              "The report's entry \"" + key + "\" does not fit the entries before it.");
 }
 
 Json object_of(const std::vector<ReportEntry>& entries) {

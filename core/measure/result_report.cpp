@@ -161,10 +161,10 @@ void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured
   report.deviation_at_least = measured.at_least;
   const double most = std::max(measured.to_drawn_max, measured.from_drawn_max);
   if (measured.spared) {
-    report.warnings.push_back(fmt::format(
-        "The deviation would take far longer to measure than the curve to smooth: it is at most "
-        "{:.6g} and at least {:.6g}.",
-        most, measured.at_least));
+    report.warnings.push_back(
+        fmt::format("The exact deviation was not measured, because that would take far longer than "
+                    "the smoothing: the deviation is at most {:.6g} and at least {:.6g}.",
+                    most, measured.at_least));
   } else if (!measured.exact) {
     report.termination = std::max(report.termination, Outcome::kLimit);
     report.warnings.push_back(fmt::format(

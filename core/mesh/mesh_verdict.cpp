@@ -157,8 +157,8 @@ void judge(MeshInspection& inspection) {
              inspection.faces) {
     inspection.verdict = MeshVerdict::kUnusable;
     inspection.reason =
-        "No face has an area that the precision of its coordinates tells from zero, so nothing may "
-        "be left by a repair: " +
+        "All faces have zero area within the precision of their coordinates, so a repair may leave "
+        "nothing of the mesh: " +
         inspection.reason;
   } else if (!inspection.orientable) {
     inspection.verdict = MeshVerdict::kUnusable;

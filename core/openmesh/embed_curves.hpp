@@ -129,7 +129,9 @@ Embedding embed_curves(OpenMesh::TriMesh_ArrayKernelT<Traits>& mesh, const Surfa
   using Scalar = typename OpenMesh::vector_traits<typename Mesh::Point>::value_type;
   if (ids.vertex_count() != opened.surface().vertex_count() ||
       ids.triangle_count() != opened.surface().face_count()) {
-    throw Error(ErrorCode::kBadUsage, "The numbers of elements are not those of the opened mesh.");
+    throw Error(ErrorCode::kBadUsage,
+                "The ids belong to another mesh: they count other numbers of vertices or triangles "
+                "than the opened mesh.");
   }
   check_on(opened.surface(), curves);
   const CutPlan cut =

@@ -76,14 +76,16 @@ class PlanPoints {
   }
 
   [[noreturn]] static void refuse(const std::string& what) {
-    throw PlanError(what + ": it has changed since, or the plan is one for another mesh.");
+    throw PlanError(
+        what +
+        ": the mesh has changed since the plan was made, or the plan belongs to another mesh.");
   }
 
  private:
   [[nodiscard]] Vertex new_vertex(std::size_t k) const {
     if (k < plan_.vertices.size()) return Vertex(static_cast<int>(mesh_.n_vertices() + k));
     throw PlanError("The plan uses vertex " + std::to_string(plan_.old_vertices + k) +
-                    ", which it does not make.");
+                    ", which is neither a vertex of the mesh nor a new one of the plan.");
   }
   void check_sizes() const {
     std::size_t triangles = 0;
@@ -93,7 +95,9 @@ class PlanPoints {
         plan_.parts.size() == plan_.faces.size() && plan_.triangles.size() == triangles) {
       return;
     }
-    throw PlanError("The plan's lists are not of the sizes that belong together.");
+    throw PlanError(
+        "The lists of the plan do not fit together: each new vertex needs weights and a position, "
+        "and the parts of the faces must add up to the number of triangles.");
   }
   void add(std::size_t k) {
     const DivisionPlan::Three& from = plan_.vertices[k];

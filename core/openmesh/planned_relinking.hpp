@@ -245,7 +245,7 @@ class RelinkingFinder {
   /// Links the parts of divided boundary edges, and gives each new vertex on an edge a halfedge.
   void close_edges() {
     if (points_used_ != plan_.vertices.size()) {
-      throw PlanError("The plan makes vertices that no face of it has.");
+      throw PlanError("The plan has new vertices that none of its faces uses.");
     }
     for (const int e : order_) {
       const DividedEdge& edge = divided_.at(e);

@@ -68,9 +68,10 @@ class FaceKeeper {
     for (const int side : {0, 1}) {
       const auto next = mesh_.next_halfedge_handle(OpenMesh::HalfedgeHandle(2 * e + side));
       if (edges_[static_cast<std::size_t>(next.idx() / 2)] != kNone) continue;
-      throw Error(ErrorCode::kBadMesh,
-                  "Vertex " + std::to_string(mesh_.from_vertex_handle(next).idx()) +
-                      " is all that joins two pieces, so they cannot be split.");
+      throw Error(
+          ErrorCode::kBadMesh,
+          "Vertex " + std::to_string(mesh_.from_vertex_handle(next).idx()) +
+              " alone joins two pieces of the mesh, so they cannot become meshes of their own.");
     }
   }
   static std::size_t count(const Numbers& numbers) {

@@ -94,8 +94,8 @@ std::vector<std::string> sentences(const MeshChanges& changes) {
        fmt::format(", over at most {:.3g} mesh units", changes.weld_distance));
   if (changes.held_apart > 0) {
     all.push_back(fmt::format(
-        "Repair: {} vertices within the tolerance of others stay apart: they are ends of one edge, "
-        "or farther than half of their shortest edge.",
+        "Repair: {} vertices within the tolerance of others stay apart, because they are the two "
+        "ends of an edge or lie farther apart than half of their shortest edge.",
         changes.held_apart));
   }
   tell(all, changes.flattened_faces, "face has no area any more after welding",

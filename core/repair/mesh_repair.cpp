@@ -291,8 +291,10 @@ RepairedMesh repair_to_surface(const MeshLists& lists, const RepairSteps& steps)
   RepairedMesh repaired = repair(lists, steps);
   const MeshInspection after = inspect(repaired.lists);
   if (after.verdict == MeshVerdict::kUsable) return repaired;
-  throw Error(ErrorCode::kBadMesh,
-              "The repaired mesh cannot be used, either (its own numbers): " + after.reason);
+  throw Error(
+      ErrorCode::kBadMesh,
+      "The repaired mesh cannot be used, either (numbers are those of the repaired mesh): " +
+          after.reason);
 }
 
 void try_repair(const MeshLists& lists, MeshInspection& inspection) {

@@ -24,8 +24,9 @@ std::string told_of(const CleanedStroke& stroke) {
   };
   add(stroke.rests, "place where the hand rested", "places where the hand rested");
   add(stroke.hooks, "hook at an end", "hooks at the ends");
-  return fmt::format("Left out of the drawing: {}, up to {:.3g} mesh units from what is smoothed.",
-                     fmt::join(parts, " and "), stroke.farthest);
+  return fmt::format(
+      "Left out of the drawing: {}, up to {:.3g} mesh units from the rest of the drawing.",
+      fmt::join(parts, " and "), stroke.farthest);
 }
 
 /// Cleans one curve, given in its canonical order.
@@ -349,11 +350,10 @@ std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCur
   const PointLookup gone(dropped);
   std::erase_if(options.way_points, [&](const WayPoint& way) { return gone.contains(way.point); });
   told.push_back(
-      fmt::format("{} of the points that the result was to pass {} within {:.3g} mesh units of "
-                  "another one, and "
-                  "{} taken as one with it.",
+      fmt::format("{} of the points that the result should pass {} within {:.3g} mesh units of "
+                  "another point and {} merged with that point.",
                   dropped.size(), dropped.size() == 1 ? "lies" : "lie", clicks.farthest(),
-                  dropped.size() == 1 ? "is" : "are"));
+                  dropped.size() == 1 ? "was" : "were"));
   return dropped;
 }
 

@@ -28,14 +28,14 @@ double tension_of(double tau) { return std::clamp(20 * tau, 1.0, 160.0); }
 constexpr double kTighter = 8;  // factor in a spline's tension per try
 constexpr const char* kTooLong =
     "A fair curve of this length needs more than 100,000 samples for its slack; fewer are used, so "
-    "it "
-    "may bend more.";
+    "the result may bend more.";
 constexpr const char* kLeftTaut =
-    "The curve could not be made fair within its walls; it is left taut, with kinks.";
+    "No fair curve was found within the slack of the drawing; the result is taut, with kinks.";
 constexpr const char* kEndedTaut =
-    "The budget was used up before the curve was fair; it is left taut, with kinks.";
+    "The budget was used up before the curve was fair; the result is taut, with kinks.";
 constexpr const char* kEndedFair =
-    "The budget was used up while the curve was made fair; it may bend more than it had to.";
+    "The budget was used up while the curve was made fair; the result may bend more than "
+    "necessary.";
 
 /// The two stretches of a curve that meet at fixed point number `point`; empty if there are not
 /// two.

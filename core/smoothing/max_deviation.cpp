@@ -347,7 +347,7 @@ class BoundSearch {
         const bool limited = report.termination == Outcome::kLimit && has_ended_early(progress_);
         if (!limited) report.termination = Outcome::kDeviation;
         std::string sentence = fmt::format(
-            "No curve within {:.6g} of the drawing was found; this one deviates by {}{:.6g}.",
+            "No curve within {:.6g} of the drawing was found; the result deviates by {}{:.6g}.",
             bound_, report.deviation_exact ? "" : "at most ", apart);
         warn_decisively(report, {std::move(sentence), report.deviation_at});
       }
@@ -374,8 +374,8 @@ class BoundSearch {
     if (given_slack_ || !(bound_ < slack) || report.before.bending < kTrembles) return;
     if (report.after.bending <= kHardly * report.before.bending) return;
     report.warnings.push_back(
-        fmt::format("The bound of {:.4g} is less than the drawing trembles by ({:.4g}), so hardly "
-                    "anything of it is smoothed.",
+        fmt::format("The bound of {:.4g} is smaller than the trembling of the drawing ({:.4g}), so "
+                    "the result is hardly smoother than the drawing.",
                     bound_, slack));
   }
 

@@ -74,9 +74,9 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     report.missed_max = missed.farthest;
     report.missed_at = at;
     std::string sentence = fmt::format(
-        "The result misses {} of the points that it was to pass, by up to {:.3g} through "
-        "space, at ({:.6g}, {:.6g}, {:.6g}): a drawing that meets itself loses small loops and "
-        "ways back.",
+        "The result misses {} of the points that it should pass, by up to {:.3g} mesh units "
+        "through space, at ({:.6g}, {:.6g}, {:.6g}): where a drawing meets itself, small loops and "
+        "ways back over the drawing are lost.",
         missed.points, missed.farthest, at.x(), at.y(), at.z());
     warn_decisively(report, {std::move(sentence), at});
   }

@@ -37,9 +37,8 @@ void warn_of_straightening(SmoothingReport& report, const SmoothingOptions& opti
                      "too many points for so few faces."});
   }
   if (termination == Termination::kCollapsed) {
-    warn_decisively(
-        report,
-        {"The loop shrinks to a point; it is returned as it was when it fell below the floor."});
+    warn_decisively(report, {"The loop shrinks to a point; the result is the loop as it was when "
+                             "its length fell below the least length (length_floor)."});
   }
   if (smoothed.counts.blocked > 0) {
     report.warnings.push_back(
@@ -56,7 +55,7 @@ std::string times(std::size_t count) {
 
 void warn_of_crossings(SmoothingReport& report) {
   if (report.crossings_after == report.crossings_before) return;
-  std::string sentence = fmt::format("The drawing crosses itself and others {}, the result {}.",
+  std::string sentence = fmt::format("The drawing crosses itself and other curves {}, the result {}.",
                                      times(report.crossings_before), times(report.crossings_after));
   if (report.crossings_after > report.crossings_before) {
     warn_decisively(report, {std::move(sentence)});

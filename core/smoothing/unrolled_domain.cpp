@@ -20,8 +20,10 @@ namespace {
 constexpr std::size_t kFewFaces = 200'000;  // of strips: exact distances then take about a second
 
 std::string limited_to(double distance) {
-  return fmt::format("The drawing meets itself; only results within {:.3g} of it were considered.",
-                     distance);
+  return fmt::format(
+      "The drawing meets itself, so only results within {:.3g} mesh units of the drawing were "
+      "considered.",
+      distance);
 }
 
 }  // namespace
@@ -292,8 +294,8 @@ std::vector<std::string> UnrolledDomain::lost_pins(const DomainResult& smoothed)
     const Point at = memory_->mesh().position(pin);
     const auto* v = std::get_if<AtVertex>(&pin.where());
     sentences.push_back(
-        fmt::format("The pin {}at ({:.6g}, {:.6g}, {:.6g}) is lost: it lies on a spike or a curl "
-                    "of the drawing that goes.",
+        fmt::format("The result misses the pin {}at ({:.6g}, {:.6g}, {:.6g}): the pin lies on a "
+                    "spike or a small loop of the drawing that smoothing removes.",
                     v != nullptr ? fmt::format("(vertex {}) ", v->vertex.index()) : "", at.x(),
                     at.y(), at.z()));
   }

@@ -137,9 +137,10 @@ void lead_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<SurfaceP
   std::vector<SurfacePoint>& points = drawing.curves[end.curve].points;
   SurfaceCurve led{false, {end.of(drawing)}};
   led.points.insert(led.points.end(), way.begin(), way.end());
-  drawing.told.push_back(fmt::format(
-      "The {} of curve {} lies {:.3g} mesh units before the border; it is led straight to it.",
-      end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), led)));
+  drawing.told.push_back(
+      fmt::format("The {} of curve {} lies {:.3g} mesh units from the border of the mesh; the "
+                  "curve was led straight to the border.",
+                  end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), led)));
   drawing.all_exact.push_back({way.back(), 0});
   if (end.last) {
     points.insert(points.end(), way.begin(), way.end());

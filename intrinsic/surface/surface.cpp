@@ -118,18 +118,20 @@ Surface Surface::from_gluing(std::size_t vertex_count, std::span<const Triangle>
                              std::span<const std::uint32_t> gluing) {
   check_indices(vertex_count, triangles);
   if (gluing.size() != 3 * triangles.size()) {
-    bad_mesh("The gluing has " + text(gluing.size()) + " entries, but there are " +
-             text(3 * triangles.size()) + " sides.");
+    bad_mesh("The list of neighbouring sides has " + text(gluing.size()) +
+             " entries, but there are " + text(3 * triangles.size()) + " sides.");
   }
   for (std::size_t s = 0; s < gluing.size(); ++s) {
     const std::uint32_t other = gluing[s];
     if (other == kNoSide) continue;
     if (other >= gluing.size() || gluing[other] != s || other == s) {
-      bad_mesh("Side " + text(s) + " is glued to side " + text(other) + ", but not the reverse.");
+      bad_mesh("Side " + text(s) + " has side " + text(other) +
+               " as its neighbour, but not the reverse.");
     }
     if (corner(triangles, s, 0) != corner(triangles, other, 1) ||
         corner(triangles, s, 1) != corner(triangles, other, 0)) {
-      bad_mesh("Sides " + text(s) + " and " + text(other) + " are glued but join other vertices.");
+      bad_mesh("Sides " + text(s) + " and " + text(other) +
+               " are neighbours but join different vertices.");
     }
   }
   Surface surface;

@@ -225,7 +225,7 @@ std::string Cutting::summary() const {
     text +=
         fmt::format("{}: {} vertices, {} faces", path_of(k), part.lists.points.size(), faces_[k]);
     if (!o_.cap.empty()) {
-      text += fmt::format(", {} rims closed by {} faces, {} of them plane", part.lids.filled,
+      text += fmt::format(", {} rims closed by {} faces, {} of them planar", part.lids.filled,
                           part.lids.triangles, part.lids.planar);
     }
     if (part.lids.with_inner > 0) {
@@ -278,10 +278,10 @@ void check_files(const CutCommandOptions& o) {
 
 Command add_cut(CLI::App& app, const GlobalOptions& global) {
   auto o = std::make_shared<CutCommandOptions>();
-  CLI::App* command = app.add_subcommand("cut",
-                                         "Make curves edges of the mesh, exactly: no vertex moves, "
-                                         "new ones only on edges and in faces; "
-                                         "then take it apart along them");
+  CLI::App* command = app.add_subcommand(
+      "cut",
+      "Make curves edges of the mesh, exactly: no vertex moves, new vertices lie on edges and in "
+      "faces only; then take the mesh apart along the curves");
   command->add_option("mesh", o->mesh, mesh_help())->required();
   command->add_option("--curve", o->curves, "Curves to cut along; may be given several times")
       ->required();
@@ -290,27 +290,28 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
       ->required();
   command->add_flag("--open", o->open, "Open a seam: either side of it has vertices of its own");
   command->add_flag("--split", o->split,
-                    "A file for each piece, OUT-0.ply, OUT-1.ply, ...; without it the pieces are "
-                    "components of one");
+                    "A file for each piece, OUT-0.ply, OUT-1.ply, ...; otherwise the pieces are "
+                    "components of one mesh");
   command->add_option("--keep", o->keep,
                       "left or right: only pieces on that side of every curve along them, seen "
                       "along the curve from outside");
-  command->add_flag("--cap{auto}", o->cap,
-                    "Close what the cut leaves open: auto (plane where the rim is, else of least "
-                    "area; the default), planar or least-area, after an equals sign; never through "
-                    "the piece");
+  command->add_flag(
+      "--cap{auto}", o->cap,
+      "Close the openings that the cut leaves: auto (planar where the rim is, else of least area; "
+      "the default), planar or least-area, after an equals sign; never through the piece");
   command->add_flag("--tag", o->tag,
                     "Write the curves' edges, too: element edge of a .ply, l of an .obj, "
                     "lines of a .vtk or .vtp");
   command->add_flag("--polygons", o->polygons,
-                    "Write polygons of the mesh as polygons: whole where no curve cuts them, plane "
-                    "ones also in parts; .ply, .obj or .off");
+                    "Write polygons of the mesh as polygons: whole where no curve cuts them, "
+                    "planar ones also in parts; .ply, .obj or .off");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
   command->add_option("--report", o->report, "What was cut, and what the parts are, as JSON");
   command
       ->add_option("--merge", o->merge,
-                   "Points within this part of an edge of a vertex, an edge or each other are one")
+                   "Points closer than this fraction of an edge to a vertex, an edge or each other "
+                   "become one point")
       ->capture_default_str();
   add_choice(*command, plugins::ends_choice(), o->ends);
   command->add_flag_callback(

@@ -78,7 +78,7 @@ std::string polygon_line(const MeshInspection& m) {
   std::string text = grouped(m.polygons);
   if (shapes.concave > 0) text += fmt::format(", {} of them concave", grouped(shapes.concave));
   if (shapes.not_plane > 0) {
-    text += fmt::format(", {} not plane (by up to {:.3g} of their size, face {} of the file)",
+    text += fmt::format(", {} not planar (by up to {:.3g} of their size, face {} of the file)",
                         grouped(shapes.not_plane), shapes.largest_distance, shapes.largest_face);
   }
   if (shapes.crossing > 0) {

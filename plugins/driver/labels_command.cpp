@@ -139,8 +139,8 @@ std::string summary_of(const LabelNetwork& network, double ms) {
                   network.tightened, network.as_drawn);
   if (network.moved > 0) {
     text += fmt::format(
-        "{} junctions and ends moved; their unit tangents add up to {:.3g} in the "
-        "mean, where they were drawn to {:.3g}\n",
+        "{} junctions and ends moved; their unit tangents add up to {:.3g} in the mean, as drawn "
+        "to {:.3g}\n",
         network.moved, network.imbalance_after, network.imbalance_before);
   }
   text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
@@ -294,9 +294,10 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       ->capture_default_str();
   command->add_option(
       "--slack", o->network.slack,
-      "How exact the labels are, in mesh units (default: as of smooth, for each border)");
-  command->add_option("--max-deviation", o->network.max_deviation,
-                      "Each border within so many mesh units of where it was, either way");
+      "How exact the labels are, in mesh units (default: chosen for each border as smooth does)");
+  command->add_option(
+      "--max-deviation", o->network.max_deviation,
+      "The largest deviation of each smoothed border from the given one, either way, mesh units");
   command
       ->add_option(
           "--junctions", o->junctions,

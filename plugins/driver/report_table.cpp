@@ -16,7 +16,7 @@ std::string head_of(const SmoothingReport& r) {
   for (const Decisive& one : r.decisive) out += fmt::format("warning: {}\n", one.sentence);
   const Farthest far = farthest(r);
   if (far.of == FarthestOf::kNothing) return out;
-  const char* what = far.of == FarthestOf::kPoint     ? "a point that it was to pass"
+  const char* what = far.of == FarthestOf::kPoint     ? "a point that it should pass"
                      : far.of == FarthestOf::kDrawing ? "the drawing from the result"
                                                       : "the result from the drawing";
   std::string distance = fmt::format("{:.6g}", far.at_least);

@@ -30,7 +30,7 @@ struct SmoothCommand {
 };
 
 std::string why_not_converged(const SmoothOptions& options, Outcome outcome) {
-  if (outcome == Outcome::kMissed) return "the result misses points that it was to pass";
+  if (outcome == Outcome::kMissed) return "the result misses points that it should pass";
   if (outcome == Outcome::kDeviation) return "no curve within --max-deviation was found";
   const bool budget = options.budget || options.budget_work;
   if (budget && outcome == Outcome::kLimit) return "the budget was used up";

@@ -278,7 +278,7 @@ void tell_decisive(const ManyRuns& many, const ManyOptions& options) {
     }
   }
   if (lines > kFailuresShown) {
-    std::fprintf(stderr, "talweg: warning: %zu more such sentences%s%s.\n", lines - kFailuresShown,
+    std::fprintf(stderr, "talweg: warning: %zu more warnings%s%s.\n", lines - kFailuresShown,
                  options.summary.empty() ? "; --summary lists all" : " are in ",
                  options.summary.c_str());
   }

@@ -100,7 +100,7 @@ void add_method(CLI::App& app, SmoothOptions& o) {
   add(app, "relax", o.relax)->capture_default_str();
   add(app, "budget", o.budget);
   add(app, "budget_work", o.budget_work)->type_name("INT");
-  app.add_option("--repeat", o.repeat, "Run so often and report median times")
+  app.add_option("--repeat", o.repeat, "Run this many times and report median times")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
 }

@@ -77,7 +77,8 @@ inline void check_weights(const std::vector<std::array<double, 3>>& rows, const 
     const double sum = a + b + c;
     const bool near = std::abs(sum - 1) <= kRounding || std::abs(sum - or_sum) <= kRounding;
     if (near && a >= -kRounding && b >= -kRounding && c >= -kRounding) continue;
-    nonsense(what, "is no weights of three corners in row " + std::to_string(k));
+    nonsense(what,
+             "has weights that are negative or do not add up to 1, in row " + std::to_string(k));
   }
 }
 

@@ -209,7 +209,7 @@ class Taken {
     if (no_memory_) throw std::bad_alloc();
     if (mistake_.empty()) return;
     throw Error(TALWEG_INTERNAL,
-                "The plugin " + std::string(plugin.id) + " gave nonsense. " + mistake_);
+                "The plugin " + std::string(plugin.id) + " gave an invalid result. " + mistake_);
   }
 
  private:
@@ -352,7 +352,7 @@ class Instance {
   template <class Own, class Given, class Call>
   Own one_given(const Call& call) const {
     std::vector<Own> all = all_given<Own, Given>(call);
-    if (all.empty()) unsupported("gives none of them");
+    if (all.empty()) unsupported("gave an empty list");
     return std::move(all.front());
   }
   static Gathering<Results>& own(void* context) {

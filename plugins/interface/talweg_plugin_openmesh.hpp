@@ -183,7 +183,7 @@ class OpenMeshWorker {
     if (number < made_.size()) return made_[static_cast<std::size_t>(number)];
     throw Failure(TALWEG_BAD_USAGE, "There is no mesh " + std::to_string(number) + ": " +
                                         std::to_string(made_.size()) +
-                                        " are there of a run that gave meshes.");
+                                        " were made by the last run that gave meshes.");
   }
 
   /// Lists the host's attributes, then the plugin's own. OpenMesh's normals, colours and the like

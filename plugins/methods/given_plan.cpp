@@ -12,8 +12,8 @@ namespace talweg::plugins {
 void give(const plugin::TakeCutPlan& take, const CutPlan& plan, const HostMesh& mesh) {
   if (mesh.map() != nullptr) {
     throw plugin::Failure(TALWEG_UNSUPPORTED,
-                          "The mesh was repaired before it was cut, so the plan is not one for the "
-                          "mesh that came in.");
+                          "The mesh was repaired before it was cut, so the plan does not fit the "
+                          "mesh that was given.");
   }
   std::vector<std::array<std::uint32_t, 3>> vertices;
   std::vector<std::array<double, 3>> weights, positions;

@@ -39,19 +39,20 @@ std::vector<talweg_parameter> with_repair(std::vector<talweg_parameter> paramete
   const auto step = [&](const char* id, const char* label, const char* doc) {
     parameters.push_back(plugin::boolean(id, label, true, doc, TALWEG_STAGE_MESH, TALWEG_ADVANCED));
   };
-  parameters.push_back(plugin::boolean(
-      "repair", "Repair the mesh", by_default,
-      "Make the mesh a surface first; results have the numbers of the mesh that came in. Set it "
-      "before a mesh that is none.",
-      TALWEG_STAGE_MESH));
-  step("repair_weld", "Repair: weld", "Vertices at one place become one.");
+  parameters.push_back(
+      plugin::boolean("repair", "Repair the mesh", by_default,
+                      "Repair the mesh to a surface first; results keep the vertex and triangle "
+                      "numbers of the given mesh. Set this before a mesh that is no surface.",
+                      TALWEG_STAGE_MESH));
+  step("repair_weld", "Repair: weld", "Vertices at the same place become one.");
   step("repair_drop", "Repair: drop", "Faces without area and repeated faces are dropped.");
   step("repair_orient", "Repair: orient", "Faces are turned to agree with their neighbours.");
-  step("repair_split", "Repair: split", "Crowded edges and bow-ties are cut into sheets.");
+  step("repair_split", "Repair: split",
+       "Edges with more than two faces and bow-ties are cut apart into sheets.");
   parameters.push_back(plugin::number(
       "repair_weld_tolerance", "Repair: weld within", "mesh units", 0, {0, HUGE_VAL, 0, 1},
-      "Vertices within this of others are welded, too, but never both ends of an edge; 0: only "
-      "those at one place.",
+      "Vertices within this distance of others are welded, too, but never both ends of an edge; 0: "
+      "only vertices at the same place.",
       TALWEG_STAGE_MESH, TALWEG_ADVANCED));
   return parameters;
 }

@@ -24,9 +24,10 @@ void MadeMeshes::forget_attributes() {
 
 const MadeMesh& MadeMeshes::at(std::uint64_t mesh) const {
   if (mesh < meshes_.size()) return meshes_[mesh];
-  throw plugin::Failure(TALWEG_BAD_USAGE,
-                        fmt::format("There is no mesh {}: {} are there of a run that gave meshes.",
-                                    mesh, meshes_.size()));
+  throw plugin::Failure(
+      TALWEG_BAD_USAGE,
+      fmt::format("There is no mesh {}: {} were made by the last run that gave meshes.", mesh,
+                  meshes_.size()));
 }
 
 void MadeMeshes::give_attributes(std::uint64_t mesh, const plugin::TakeAttribute& take) const {

@@ -154,8 +154,8 @@ double largest_click_distance(const CurveSmoother& smoother) {
 void check_way_points(const CurveSmoother& smoother, const SmoothingResult& result,
                       RunOutcome& outcome) {
   const auto& way_points = smoother.curve_options().way_points;
-  if (way_points.empty() || warns(result, "it was to pass") || !outcome.broken.empty()) return;
-  const double one = warns(result, "taken as one") ? largest_click_distance(smoother) : 0;
+  if (way_points.empty() || warns(result, "it should pass") || !outcome.broken.empty()) return;
+  const double one = warns(result, "merged with that point") ? largest_click_distance(smoother) : 0;
   const SurfaceMesh& mesh = smoother.opened().mesh();
   PolylineDistance distance(mesh.surface());
   distance.set(result.curves);

@@ -142,7 +142,7 @@ std::string beaten_text(const Comparison& c) {
   for (const std::size_t k : beaten) {
     const ComparedRun& run = c.runs[k];
     text +=
-        fmt::format("  not so: {}, {}: {:.3f} rad at {:.2f} edges\n", c.methods[run.method].name,
+        fmt::format("  beaten by {}, {}: {:.3f} rad at {:.2f} edges\n", c.methods[run.method].name,
                     parameter_of(c, run), run.numbers.curvature, run.deviation() / c.edge);
   }
   return text;

@@ -23,8 +23,8 @@ namespace {
 constexpr const char* kBorders[] = {"snap", "leave"};
 constexpr const char* kBorderLabels[] = {"Led to the border", "As they are"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
-constexpr const char* kCapLabels[] = {"None", "Plane where the rim is, else of least area", "Plane",
-                                      "Of least area"};
+constexpr const char* kCapLabels[] = {"None", "Planar where the rim is, else of least area",
+                                      "Plane", "Of least area"};
 
 PartOptions part_options(const plugin::Parameters& parameters) {
   PartOptions options;
@@ -46,28 +46,30 @@ class Cut : public MakesMeshes<Workspace> {
   static talweg_plugin about() {
     return about_curves(
         "talweg.cut", "Cut along curves",
-        "Makes curves edges of the mesh, exactly: no vertex moves, new ones only on edges and in "
-        "triangles. Then takes the mesh apart along them, if asked. Curves may cross and touch; "
-        "points are joined straight over the surface.");
+        "Makes curves edges of the mesh, exactly: no vertex moves, new vertices lie on edges and "
+        "in triangles only. Takes the mesh apart along the curves, if asked. Curves may cross and "
+        "touch; points are joined straight over the surface.");
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::boolean, plugin::choice, plugin::number;
     return with_repair(
         {boolean("open", "Open the seam", false, "Either side of a curve has vertices of its own."),
          boolean("split", "A mesh for each piece", false,
-                 "Without it the pieces are components of one mesh."),
+                 "Otherwise the pieces are components of one mesh."),
          side_choice("keep", "Keep",
                      "Only pieces on that side of every curve along them, seen along the curve "
                      "from outside."),
          choice("cap", "Lids", "none", kCaps, kCapLabels,
-                "Close what the cut leaves open, never through the piece."),
+                "Close the openings that the cut leaves. A lid never goes through the piece."),
          ends_choice(),
          choice("border", "Ends near the border", "snap", kBorders, kBorderLabels,
                 "snap: where a seam is opened, ends of open curves within two edges of the mesh's "
                 "border are led straight to it; leave: they stay.",
                 TALWEG_STAGE_RUN, TALWEG_ADVANCED),
-         number("merge", "Merge", "part of an edge", CutOptions{}.merge, {1e-11, 1e-2, 1e-9, 1e-2},
-                "Points within this part of an edge of a vertex, an edge or each other are one.",
+         number("merge", "Merge", "fraction of an edge", CutOptions{}.merge,
+                {1e-11, 1e-2, 1e-9, 1e-2},
+                "Points closer than this fraction of an edge to a vertex, an edge or each other "
+                "become one point.",
                 TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_LOGARITHMIC)});
   }
   static std::vector<talweg_output> outputs() {

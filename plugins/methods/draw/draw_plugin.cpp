@@ -52,12 +52,12 @@ class Draw : public Workspace {
                        "What the given points are in the drawn curve. exact: way-points, "
                        "unless the given curve says what they are; rough: a stroke.",
                        TALWEG_STAGE_RUN),
-        plugin::boolean("preview", "Preview", false,
-                        "While a point is dragged: of a curve of which one way-point has moved "
-                        "since the last run without preview only the legs that meet it are "
-                        "drawn anew, around the others. The next run without preview gives "
-                        "what counts.",
-                        TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
+        plugin::boolean(
+            "preview", "Preview", false,
+            "For use while a point is dragged. If one way-point of a curve has moved since the "
+            "last run without preview, only the legs that meet the point are drawn anew, around "
+            "the other legs. The next run without preview gives the final curve.",
+            TALWEG_STAGE_RUN, TALWEG_ADVANCED)};
     for (const talweg_parameter& parameter : ridge_choice(TALWEG_STAGE_RUN)) {
       all.push_back(parameter);
     }

@@ -297,8 +297,7 @@ EnvelopeResult smooth_in_envelope(const SurfaceMesh& mesh, std::span<const Surfa
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (curves[c].closed || !(curves[c].points.front() == curves[c].points.back())) continue;
     throw Error(ErrorCode::kBadCurve,
-                fmt::format("Curve {} is open but ends where it begins: nothing holds it there. "
-                            "It can be drawn closed.",
+                fmt::format("Curve {} is open but ends where it begins. Draw it as a closed curve.",
                             c + 1));
   }
   return EnvelopeSmoothing(mesh, curves, pins, options).run();

@@ -48,18 +48,20 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     using plugin::array, plugin::choice, plugin::number;
     constexpr std::uint32_t kRun = TALWEG_STAGE_RUN;
     std::vector<talweg_parameter> own = {
-        array(TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
-              "A whole number for each triangle; either these or those of vertices.",
-              TALWEG_STAGE_CURVES),
+        array(
+            TALWEG_TRIANGLE_FIELD, "triangle_labels", "Labels of triangles", "",
+            "A whole number for each triangle. Give labels of triangles or of vertices, not both.",
+            TALWEG_STAGE_CURVES),
         array(TALWEG_FIELD, "vertex_labels", "Labels of vertices", "",
               "A whole number for each vertex.", TALWEG_STAGE_CURVES),
         number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "More keeps closer to the borders."),
         number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-               "How exact the labels are. By default as of talweg.smooth, for each border.", kRun,
-               TALWEG_OPTIONAL),
+               "How exact the labels are. By default chosen for each border as talweg.smooth does.",
+               kRun, TALWEG_OPTIONAL),
         number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-               "Each border within so much of where it was, either way. By default no bound.", kRun,
-               TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
+               "The largest deviation of each smoothed border from the given one, either way. By "
+               "default no bound.",
+               kRun, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
         choice("junctions", "Junctions", "fixed", kJunctions, kJunctionLabels,
                "free: as far as the slack or 0.75 of the largest deviation to where the borders "
                "balance."),
@@ -77,7 +79,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
             output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
                    "By how much the border turns at the point; 0 at the ends."),
             output(TALWEG_OUTPUT_TRIANGLE_FIELD, "labels", "New labels", "",
-                   "Of each triangle: that of its larger share."),
+                   "For each triangle the label of the larger part of its area."),
             output(TALWEG_OUTPUT_MESH, "mesh", "Cut mesh", "",
                    "The mesh with the borders as edges; attribute label: the exact labels of its "
                    "triangles (talweg_meshes.h)."),

@@ -23,9 +23,10 @@ class Measure : public Workspace {
   }
   static std::vector<talweg_parameter> parameters() {
     return with_repair(
-        {plugin::integer("others", "Curves to compare with", 0, {0, 4294967294.0, 0, 16},
-                         "So many of the curves, the last ones, are those that the others are "
-                         "compared with: as many one by one in their order, else all together."),
+        {plugin::integer(
+             "others", "Curves to compare with", 0, {0, 4294967294.0, 0, 16},
+             "The number of curves at the end of the list that the curves before are compared "
+             "with: one by one in their order if both are as many, else all together."),
          plugin::number("edge", "Edge length", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "Length of the windows in which turning is measured. By default the mean "
                         "edge near each curve; to compare curves give all the same.",

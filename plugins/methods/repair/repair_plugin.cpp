@@ -36,8 +36,8 @@ class Repair {
     about.label = "Inspect and repair";
     about.version = version();
     about.doc =
-        "Tells what a mesh is and what is wrong with it, and makes a surface of it that curves can "
-        "be drawn on. Takes any lists of vertices and triangles. Only welding moves vertices.";
+        "Inspects a mesh, reports its defects, and repairs it to a surface that curves can be "
+        "drawn on. Takes any lists of vertices and triangles. Only welding moves vertices.";
     about.get_extension = extension;
     return about;
   }

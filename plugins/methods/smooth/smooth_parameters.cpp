@@ -78,11 +78,10 @@ std::vector<talweg_parameter> main_parameters() {
           "How exact the drawing is (corridor). By default as wide as the hand trembled, or 0.7 of "
           "the median segment of a path along edges; at most 1/24 of the length.",
           kRun, kOptional),
-      number(
-          "max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-          "The smoothest curve that deviates from the drawing by no more, either way; chooses tau "
-          "and slack (corridor). By default no bound.",
-          kRun, kOptional | TALWEG_OPEN_MINIMUM),
+      number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
+             "Finds the smoothest curve that deviates from the drawing by no more than this, "
+             "either way; chooses tau and slack (corridor). By default no bound.",
+             kRun, kOptional | TALWEG_OPEN_MINIMUM),
       choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
              "paper: equations 4 to 6; corridor: flat within the slack, exact distance.", kCurves),
       choice("finish", "Finish", "fair", kFinishes, kFinishLabels,
@@ -123,9 +122,10 @@ std::vector<talweg_parameter> main_parameters() {
              "and a half steps of the hand, are led straight to it; leave: they stay.",
              kCurves, kAdvanced),
       boolean("preview", "Preview", false,
-              "While a curve is dragged: smooths only the stretch that differs from the last run "
-              "without preview, and joins it to that result (corridor, one curve changed; else "
-              "everything is smoothed). The next run without preview gives what counts.",
+              "For use while a curve is dragged. Only the stretch that differs from the last run "
+              "without preview is smoothed and joined to the result of that run (corridor, one "
+              "curve changed; else everything is smoothed). The next run without preview gives the "
+              "final curve.",
               kRun, kAdvanced),
       integer("relax", "Rounds of relaxation", 0, {0, 1e6, 0, 20},
               "Rounds of relaxation along the supporting edges (the paper: 5)."),

@@ -254,7 +254,7 @@ TEST(Lids, MustBePlaneWhereThatIsAskedFor) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
-    EXPECT_NE(std::string(error.what()).find("is not plane"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("is not planar"), std::string::npos) << error.what();
   }
   const Lids lids = add_lids(part, seams, cut.chains);
   EXPECT_EQ(lids.filled, 1U);

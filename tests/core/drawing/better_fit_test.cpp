@@ -58,7 +58,7 @@ TEST_F(BetterFit, NamesTheChangeThatMakesADrawingFit) {
     EXPECT_TRUE(found.starts_with("would fit more than 1000 times better ")) << found;
     EXPECT_NE(found.find(words), std::string::npos) << found << "\n" << words;
   };
-  expect({-1, -1, 1}, none_, "with x and y turned");
+  expect({-1, -1, 1}, none_, "with x and y negated");
   expect(10 * one_, none_, "scaled by 0.1,");
   expect(1000 * one_, none_, "scaled by 0.001,");
   expect(25.4 * one_, none_, "scaled by 0.0393701,");
@@ -129,7 +129,7 @@ TEST_F(BetterFit, IsAWarningOrAPartOfTheRefusal) {
   const SurfaceMesh mesh = SurfaceMesh::open(head(none_));
   CurveInput near{true, changed(ring(mesh, none_), {-1, -1, 1}, none_), {}};
   near.control_points = true;
-  EXPECT_NE(snap(mesh, near).better_fit.find("x and y turned"), std::string::npos);
+  EXPECT_NE(snap(mesh, near).better_fit.find("x and y negated"), std::string::npos);
   EXPECT_EQ(snap(mesh, CurveInput{true, ring(mesh, none_), {}}).better_fit, "");
 }
 

@@ -342,8 +342,8 @@ TEST_F(MeshReader, FilesThatAreNoMeshes) {
     EXPECT_NE(refusal(name, std::string(200, '\0')), "");
   }
   EXPECT_EQ(refusal("a.xyz", "0 0 0\n"),
-            ": '.xyz' is no mesh format we read: it is a cloud of points; make a surface of it "
-            "first (with MeshLab or CloudCompare); expected " +
+            ": '.xyz' is no mesh format that Talweg reads: it is a cloud of points; make a surface "
+            "of it first (with MeshLab or CloudCompare); expected " +
                 readable_meshes() + ".");
 }
 

@@ -394,13 +394,15 @@ TEST_F(EmbedCurvesRefuses, AChainAlongAnEdgeThatIsGone) {
   mesh.delete_face(mesh.face_handle(0), false);
   mesh.garbage_collection();
   expect_refused(
-      "No edge joins vertices 0 and its next of chain 0: it has changed since, or the plan is one "
-      "for another mesh.");
+      "No edge joins vertices 0 and its next of chain 0: the mesh has changed since the plan was "
+      "made, or the plan belongs to another mesh.");
 }
 
 TEST_F(EmbedCurvesRefuses, NumbersOfAnotherMesh) {
   static_cast<void>(surface_of(openmesh_of<DoubleMesh>(grid(2, 2)), &ids));
-  expect_refused("The numbers of elements are not those of the opened mesh.");
+  expect_refused(
+      "The ids belong to another mesh: they count other numbers of vertices or triangles than the "
+      "opened mesh.");
 }
 
 TEST_F(EmbedCurvesRefuses, MarksThatTheMeshHasNoRoomFor) {

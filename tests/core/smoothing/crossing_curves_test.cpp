@@ -159,10 +159,10 @@ TEST(CrossingCurves, APinOnASpikeIsLostAndTold) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn, {.pins = {drawn.points[1], drawn.points[4]}});
   const SmoothingReport report = smoother.smooth(1.0).report();
-  EXPECT_TRUE(warns_of(report, "The pin (vertex 94) at (3, 7, 0) is lost"));
+  EXPECT_TRUE(warns_of(report, "The result misses the pin (vertex 94) at (3, 7, 0)"));
   EXPECT_FALSE(warns_of(report, "vertex 67"));
   smoother.set_pins(std::array{drawn.points[1], drawn.points[2]});
-  EXPECT_FALSE(warns_of(smoother.smooth(1.0).report(), "is lost"));
+  EXPECT_FALSE(warns_of(smoother.smooth(1.0).report(), "misses the pin"));
 }
 
 TEST(CrossingCurves, TouchingItselfAtAVertexIsNoCrossing) {

@@ -164,7 +164,7 @@ TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
   EXPECT_EQ(result.report().termination, Outcome::kConverged);
   EXPECT_LE(test::apart(opened->mesh(), result.curve(), drawn), 1e-7);
   ASSERT_FALSE(result.report().warnings.empty());
-  EXPECT_NE(result.report().warnings.back().find("is less than the drawing trembles by"),
+  EXPECT_NE(result.report().warnings.back().find("is smaller than the trembling of the drawing"),
             std::string::npos);
 }
 

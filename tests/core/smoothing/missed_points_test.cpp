@@ -45,7 +45,7 @@ class MissedPoints : public testing::Test {
   [[nodiscard]] static std::vector<std::string> said(const SmoothingResult& result) {
     std::vector<std::string> said;
     std::ranges::copy_if(result.total.warnings, std::back_inserter(said), [](const auto& warning) {
-      return warning.find("it was to pass") != std::string::npos;
+      return warning.find("it should pass") != std::string::npos;
     });
     return said;
   }

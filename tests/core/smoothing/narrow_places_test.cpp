@@ -67,7 +67,7 @@ class NarrowPlacesTest : public testing::Test {
   void expect_fair(const Drawing& drawing) const {
     const SmoothingResult result = smoothed(drawing);
     for (const std::string& warning : result.report().warnings) {
-      EXPECT_EQ(warning.find("left taut"), std::string::npos) << warning;
+      EXPECT_EQ(warning.find("is taut"), std::string::npos) << warning;
     }
     EXPECT_EQ(kinks(result.curve()).size(), 0U);
     EXPECT_LT(result.report().after.bending, 0.2 * result.report().before.bending);

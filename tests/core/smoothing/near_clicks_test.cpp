@@ -49,7 +49,7 @@ TEST_F(NearClicks, ADoubleClickIsOne) {
     EXPECT_EQ(result.report().termination, Outcome::kConverged) << beside;
     EXPECT_LT(result.report().after.bending, 1.2 * once.report().after.bending) << beside;
     ASSERT_EQ(result.report().warnings.size(), 1U) << beside;
-    EXPECT_NE(result.report().warnings[0].find("taken as one with it"), std::string::npos);
+    EXPECT_NE(result.report().warnings[0].find("merged with that point"), std::string::npos);
     for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1 * beside) << beside;
   }
 }

@@ -51,7 +51,7 @@ TEST(SmoothingOutcomes, NeedlesAreToldAndHarmless) {
   const SurfaceCurve drawn =
       test::vertex_curve(opened->surface(), draw_edge_path(opened->surface(), row, false), false);
   const SmoothingResult result = smooth_curve(opened, drawn, {}, {.method = Method::kPaper});
-  EXPECT_TRUE(has_warning(result.report(), "Needle triangles"));
+  EXPECT_TRUE(has_warning(result.report(), "needle triangles"));
   // The needle needs hardly any mollification: at most 1e-5 mean edges are added
   // (mollification.hpp).
   EXPECT_GT(result.report().mollification, 0);

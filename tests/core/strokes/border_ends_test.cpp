@@ -151,10 +151,11 @@ TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   expect_both_ends_at(drawing.curves[0], {0, 10.3, 0}, {20, 10.3, 0});
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
-            "The start of curve 0 lies 1.5 mesh units before the border; it is led straight to "
-            "it.");
+            "The start of curve 0 lies 1.5 mesh units from the border of the mesh; the curve was "
+            "led straight to the border.");
   EXPECT_EQ(drawing.told[1],
-            "The end of curve 0 lies 1.8 mesh units before the border; it is led straight to it.");
+            "The end of curve 0 lies 1.8 mesh units from the border of the mesh; the curve was led "
+            "straight to the border.");
 }
 
 TEST_F(BorderEnds, EndsWithinTwoEdgesAreExtended) {

@@ -189,7 +189,7 @@ TEST_F(StrokesOfHands, LoseTheSpikesOfATracker) {
   for (const std::size_t k : {100U, 377U, 612U}) points[k] += Point(3, 9, 5);
   const SmoothingResult result = smoothed(points);
   ASSERT_EQ(told.size(), 1U);
-  EXPECT_NE(told[0].find("3 of 901 points of a curve lie far from those before and after"),
+  EXPECT_NE(told[0].find("3 of 901 points of a curve lie far from the points before and after"),
             std::string::npos)
       << told[0];
   EXPECT_LT(apart(result.curve(), ten.curve()), 0.3);

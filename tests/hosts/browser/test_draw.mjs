@@ -93,12 +93,12 @@ export async function clicksBesideClicks() {
   const beside = [b[0] - 40, b[1] + 10];
   for (const at of [a, b, beside, c]) await page.click(...at);
   await page.key('Enter');
-  assert.doesNotMatch(await page.text('notes'), /taken as one/);
+  assert.doesNotMatch(await page.text('notes'), /merged with that point/);
   const apart = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const share = apart(b, beside) / (apart(a, b) + apart(b, beside) + apart(beside, c));
   await page.page.type('#click-distance', String(1.5 * share * await page.reported('length')));
   await page.key('Enter');
-  assert.match(await page.text('notes'), /taken as one/);
+  assert.match(await page.text('notes'), /merged with that point/);
 }
 
 export async function theSlider() {

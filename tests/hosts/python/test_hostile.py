@@ -23,10 +23,10 @@ FAULTS = {
     "few_positions": "positions has 2 rows, not 3",
     "few_weights": "barycentrics has 1 rows, not 3",
     "no_points": "A curve has no points",
-    "null_data": "gave nonsense",
+    "null_data": "gave an invalid result",
     "short_field": "A curve's field toy has 2 rows, not 3",
-    "null_name": "gave nonsense",
-    "null_fields": "gave nonsense",
+    "null_name": "gave an invalid result",
+    "null_fields": "gave an invalid result",
     "curve_number": "The report's entry value is about curve 1000000000000, but there are 1",
     "null_key": "A key of the report is null",
     "null_text": "A text of the report is null",
@@ -78,7 +78,7 @@ class Hostile(unittest.TestCase):
             with self.subTest(fault):
                 with self.assertRaises(talweg.Internal) as caught:
                     self.run_hostile(fault)
-                self.assertIn("The plugin toy.hostile gave nonsense", str(caught.exception))
+                self.assertIn("The plugin toy.hostile gave an invalid result", str(caught.exception))
                 self.assertIn(words, str(caught.exception))
 
     def test_the_second_ctrl_c_leaves_what_never_returns(self):

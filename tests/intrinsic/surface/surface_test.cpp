@@ -232,7 +232,7 @@ TEST(Surface, RefusesBadGluing) {
   EXPECT_NE(refused_gluing(4, pair, {3, no, no, no, no, no}).find("Side 0"), std::string::npos);
   EXPECT_NE(refused_gluing(4, pair, {0, no, no, no, no, no}).find("Side 0"), std::string::npos);
   EXPECT_NE(refused_gluing(4, pair, {17, no, no, no, no, no}).find("17"), std::string::npos);
-  EXPECT_NE(refused_gluing(4, pair, {4, no, no, no, 0, no}).find("join other vertices"),
+  EXPECT_NE(refused_gluing(4, pair, {4, no, no, no, 0, no}).find("join different vertices"),
             std::string::npos);
   EXPECT_NE(refused_gluing(3, pair, {3, no, no, 0, no, no}).find("vertex 3"), std::string::npos);
   // Without gluing there are two fans at vertices 0 and 1.

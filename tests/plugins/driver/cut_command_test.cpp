@@ -180,12 +180,12 @@ TEST_F(CutCommand, ClosesWithLidsOfAKind) {
   write(file("parallel.txt"), ring + "48\n");
   const Outcome plane = run("cut tube.ply --curve parallel.txt -o t.ply --cap=planar");
   ASSERT_EQ(plane.code, 0) << plane.err;
-  EXPECT_NE(plane.out.find("2 rims closed by 28 faces, 2 of them plane"), std::string::npos)
+  EXPECT_NE(plane.out.find("2 rims closed by 28 faces, 2 of them planar"), std::string::npos)
       << plane.out;
   const Outcome least = run("cut ball.ply --curve ring.json -o b.ply --cap");
   EXPECT_NE(least.out.find("0 of them plane"), std::string::npos) << least.out;
   expect_failure("cut ball.ply --curve ring.json -o c.ply --cap=planar", 2,
-                 {"The rim of ", "is not plane"});
+                 {"The rim of ", "is not planar"});
   expect_failure("cut ball.ply --curve ring.json -o c.ply --cap=round", 1,
                  {"--cap", "planar", "round"});
   expect_failure("cut ball.ply --curve ring.json -o c.stl --tag", 1,
@@ -248,8 +248,9 @@ TEST_F(CutCommand, RefusesToKeepNothing) {
   write_mesh(file("torus.ply"), test::torus(16, 32));
   write(file("one.txt"), parallel(3));
   write(file("two.txt"), parallel(20));
-  expect_failure("cut torus.ply --curve one.txt --curve two.txt -o c.ply --keep left", 2,
-                 {"keep left leaves nothing", "curve 0", "curve 1", "turn one of them around"});
+  expect_failure(
+      "cut torus.ply --curve one.txt --curve two.txt -o c.ply --keep left", 2,
+      {"keep left leaves nothing", "curve 0", "curve 1", "reverse one of the two curves"});
   EXPECT_FALSE(there("c.ply"));
 }
 
@@ -304,8 +305,10 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   write(file("short.obj"), line_over(1, 9, 5.3));
   outcome = run("cut plane.ply --curve short.obj -o led.ply --open --report led.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("The end of curve 0 lies 1 mesh units before the border; it is led"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.out.find(
+          "The end of curve 0 lies 1 mesh units from the border of the mesh; the curve was led"),
+      std::string::npos)
       << outcome.out;
   EXPECT_EQ(json("led.json")["pieces"], 2);
   EXPECT_EQ(json("led.json")["warnings"].size(), 2U);
@@ -334,8 +337,10 @@ TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
             nlohmann::json::array({1, 5, 0}));
   const Outcome drawn = run(draw + "led.json --border snap");
   ASSERT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_NE(drawn.out.find("The start of curve 0 lies 1 mesh units before the border; it is led"),
-            std::string::npos)
+  EXPECT_NE(
+      drawn.out.find(
+          "The start of curve 0 lies 1 mesh units from the border of the mesh; the curve was led"),
+      std::string::npos)
       << drawn.out;
   const auto points = json("led.json")["curves"][0]["points"];
   EXPECT_EQ(points.front()["xyz"], nlohmann::json::array({0, 5, 0}));

@@ -101,7 +101,7 @@ TEST_F(SlicerHead, AMeshThatSaysNothingIsToldWhatWouldFit) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(outcome.err.starts_with("talweg: warning: ")) << outcome.err;
-    EXPECT_NE(outcome.err.find("times better with x and y turned"), std::string::npos)
+    EXPECT_NE(outcome.err.find("times better with x and y negated"), std::string::npos)
         << outcome.err;
   }
   EXPECT_EQ(run("smooth lps.ply --curve ring.mrk.json -o a.json").err, "");
@@ -133,7 +133,7 @@ TEST_F(SlicerHead, ClicksAreDrawnThroughInTheirOrder) {
 
   const Outcome far = run("draw silent.ply --clicks clicks.fcsv -o f.json");
   EXPECT_EQ(far.code, 0);
-  EXPECT_NE(far.err.find("x and y turned"), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("x and y negated"), std::string::npos) << far.err;
   expect_failure("draw ras.ply -o a.json", 1, {"--through", "--clicks"});
   expect_failure("draw ras.ply --clicks nothing.fcsv -o a.json", 2, {"nothing.fcsv"});
   expect_failure("draw ras.ply --clicks lps.ply -o a.json", 2, {"lps.ply", ".fcsv"});

@@ -181,7 +181,8 @@ TEST(Workplace, ClicksBesideClicksAreOne) {
   tube.editor.finish_curve();
   const auto merged = [&](std::optional<double> distance) {
     tube.editor.set_click_distance(distance);
-    return says(work(tube.place, Task::kSmooth, tube.editor.drawing()).results, "taken as one");
+    return says(work(tube.place, Task::kSmooth, tube.editor.drawing()).results,
+                "merged with that point");
   };
   EXPECT_FALSE(merged(0.0));
   EXPECT_TRUE(merged(0.2));

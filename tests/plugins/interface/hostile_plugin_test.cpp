@@ -22,8 +22,8 @@ const std::map<std::string, std::string> kFaults = {
     {"infinite_position", "positions has a number in row 2 that is not finite"},
     {"face_out_of_range", "faces has 1000000000 in row 1, but there are 1200"},
     {"vertex_out_of_range", "vertices has 77777777 in row 2, but there are 651"},
-    {"nan_weights", "barycentrics is no weights of three corners in row 1"},
-    {"large_weights", "barycentrics is no weights of three corners in row 2"},
+    {"nan_weights", "barycentrics has weights that are negative or do not add up to 1, in row 1"},
+    {"large_weights", "barycentrics has weights that are negative or do not add up to 1, in row 2"},
     {"few_positions", "positions has 2 rows, not 3"},
     {"few_weights", "barycentrics has 1 rows, not 3"},
     {"no_points", "A curve has no points"},
@@ -76,7 +76,7 @@ TEST_F(HostilePlugin, NonsenseIsAnErrorThatNamesIt) {
     } catch (const host::Error& error) {
       EXPECT_EQ(error.status(), TALWEG_INTERNAL) << fault;
       const std::string sentence = error.what();
-      EXPECT_NE(sentence.find("The plugin toy.hostile gave nonsense. "), std::string::npos)
+      EXPECT_NE(sentence.find("The plugin toy.hostile gave an invalid result. "), std::string::npos)
           << sentence;
       EXPECT_NE(sentence.find(words), std::string::npos) << fault << ": " << sentence;
     }

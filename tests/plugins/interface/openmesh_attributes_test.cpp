@@ -228,10 +228,10 @@ TEST_F(OpenMeshPlugin, MeshesAreSharedAndAttributesAreNot) {
   run("copy");
   EXPECT_EQ(instance.attributes(0).size(), 1U);
   EXPECT_EQ(sentence_of([&] { static_cast<void>(instance.origin(1)); }),
-            "There is no mesh 1: 1 are there of a run that gave meshes.");
+            "There is no mesh 1: 1 were made by the last run that gave meshes.");
   instance.set_curves({at({0, 1})});
   EXPECT_EQ(sentence_of([&] { static_cast<void>(instance.origin(0)); }),
-            "There is no mesh 0: 0 are there of a run that gave meshes.");
+            "There is no mesh 0: 0 were made by the last run that gave meshes.");
 }
 
 }  // namespace

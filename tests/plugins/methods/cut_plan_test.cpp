@@ -64,7 +64,9 @@ TEST_F(PlanOfCut, IsRefusedByAnotherMesh) {
   const DivisionPlan plan = division_from(instance.cut_plan());
   auto missing = plan;
   missing.parts.pop_back();
-  expect_refused(missing, "The plan's lists are not of the sizes that belong together.");
+  expect_refused(missing,
+                 "The lists of the plan do not fit together: each new vertex needs weights and a "
+                 "position, and the parts of the faces must add up to the number of triangles.");
   auto weightless = plan;
   weightless.weights[0][0] = 0;
   expect_refused(weightless, "New vertex 0 of the plan lies on no edge and in no face.");
@@ -76,9 +78,10 @@ TEST_F(PlanOfCut, IsRefusedByAnotherMesh) {
   EXPECT_THROW(apply_plan(mesh, unknown), PlanError);
   auto twisted = plan;
   std::swap(twisted.triangles[0][0], twisted.triangles[0][1]);
-  expect_refused(twisted, "Face " + std::to_string(plan.faces[0]) +
-                              " does not have the sides that are to be divided: it has changed "
-                              "since, or the plan is one for another mesh.");
+  expect_refused(twisted,
+                 "Face " + std::to_string(plan.faces[0]) +
+                     " does not have the sides that are to be divided: the mesh has changed since "
+                     "the plan was made, or the plan belongs to another mesh.");
   auto one_sided = plan;  // the last face stays whole, and its neighbour is divided
   one_sided.triangles.resize(one_sided.triangles.size() - one_sided.parts.back());
   one_sided.parts.pop_back();

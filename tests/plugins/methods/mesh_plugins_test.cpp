@@ -196,8 +196,7 @@ TEST_F(CutPlugin, HasNoPlanForAMeshThatItRepaired) {
   instance.run();
   EXPECT_EQ(
       sentence_of([&] { static_cast<void>(instance.cut_plan()); }),
-      "The mesh was repaired before it was cut, so the plan is not one for the mesh that came "
-      "in.");
+      "The mesh was repaired before it was cut, so the plan does not fit the mesh that was given.");
 }
 
 TEST_F(CutPlugin, CarriesAttributesOfAllKinds) {
@@ -275,14 +274,14 @@ TEST_F(CutPlugin, RefusesAttributesThatDoNotFit) {
 
 TEST_F(CutPlugin, GivesOnlyWhatTheLastRunMade) {
   EXPECT_EQ(sentence_of([&] { (void)instance.origin(0); }),
-            "There is no mesh 0: 0 are there of a run that gave meshes.");
+            "There is no mesh 0: 0 were made by the last run that gave meshes.");
   run_with_meshes();
   EXPECT_EQ(sentence_of([&] { (void)instance.origin(0); }), "no error");
   EXPECT_EQ(sentence_of([&] { (void)instance.attributes(1); }),
-            "There is no mesh 1: 1 are there of a run that gave meshes.");
+            "There is no mesh 1: 1 were made by the last run that gave meshes.");
   instance.run();  // without meshes
   EXPECT_EQ(sentence_of([&] { (void)instance.origin(0); }),
-            "There is no mesh 0: 0 are there of a run that gave meshes.");
+            "There is no mesh 0: 0 were made by the last run that gave meshes.");
 }
 
 TEST_F(CutPlugin, SaysWhatTheDriverSaysOfBadInput) {

@@ -32,7 +32,7 @@ def guarded(plugin: str, take: Callable[[Any], None]) -> Callable[[Any], None]:
         except MemoryError:
             raise
         except Exception as error:
-            raise Internal(f"The plugin {plugin} gave nonsense. {error}") from None
+            raise Internal(f"The plugin {plugin} gave an invalid result. {error}") from None
 
     return taken
 
@@ -80,7 +80,7 @@ def check_curve(curve: Curve, limits: Limits) -> Curve:
     _check_indices(faces, limits.faces, what + "faces")
     _check_triples(weights, what + "barycentrics")
     if (weights < -_ROUNDING).any() or (np.abs(weights.sum(axis=1) - 1) > _ROUNDING).any():
-        raise ValueError(what + "barycentrics is no weights of three corners.")
+        raise ValueError(what + "barycentrics has weights that are negative or do not add up to 1.")
     _check_triples(positions, what + "positions")
     for name, values in curve.fields.items():
         _check_rows(values, len(faces), f"A curve's field {name}")

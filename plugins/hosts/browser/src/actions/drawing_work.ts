@@ -140,7 +140,7 @@ export class DrawingWork {
     const { store } = this.desk;
     const { mesh } = store.now;
     if (!mesh || !point || areJoined(mesh.info, point.face, place.face)) return true;
-    store.trouble('drawing', 'That is another part of the mesh, and no curve gets there from this one.');
+    store.trouble('drawing', 'This point is on another part of the mesh, and no curve gets there from here.');
     return false;
   }
 

@@ -80,7 +80,7 @@ export class MeshWork {
       this.desk.tell('Ended.');
       await this.reopen();
     } catch (error) {
-      this.desk.store.trouble('mesh', `What runs could not be ended: ${sentenceOf(error)}`);
+      this.desk.store.trouble('mesh', `The running computations could not be stopped: ${sentenceOf(error)}`);
       return;
     } finally {
       this.ending = false;
