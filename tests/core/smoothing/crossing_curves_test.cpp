@@ -98,7 +98,7 @@ TEST(CrossingCurves, ALegFarFromItsDrawingIsStraight) {
   const SmoothingResult result = smoother.smooth(1.0);
   EXPECT_EQ(result.total.crossings_before, 1U);
   EXPECT_EQ(result.total.crossings_after, 0U);
-  EXPECT_TRUE(warns_of(result.total, "crosses itself and others once, the result nowhere."));
+  EXPECT_TRUE(warns_of(result.total, "crosses itself and other curves once, the result nowhere."));
   EXPECT_NEAR(result.reports[0].after.length, 40, 1e-9);
   EXPECT_NEAR(result.reports[1].after.length, 30, 1e-9);
 }
