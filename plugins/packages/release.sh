@@ -2,8 +2,9 @@
 # release.sh OUT: everything that is given away, in OUT/out: wheel, source distribution, archive, Blender
 # add-on, ParaView plugin and Debian packages (for the ParaView and the Debian that are here), the page
 # (where ./run page has made it), sources of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes.
-# Two runs give the same bytes. Needs root, debootstrap and the network for the first run, g++-12, cmake,
-# ninja, dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
+# release.sh OUT arm64: wheel and archive for 64-bit ARM, cross compiled, beside what is in OUT/out.
+# Two runs give the same bytes. Needs apt and the network for the first run, g++-12, cmake, ninja,
+# dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -34,30 +35,48 @@ packed() {
     -C "$(dirname "$1")" -cf - "$(basename "$1")" | gzip -9n >"$2"
 }
 
+# wheel PLUGINS TAG: the Python package with plugins for one kind of system.
 wheel() {
-  local source=$work/python plugins=$work/portable/tree/lib/talweg/plugins
+  local source=$work/python
   rm -rf "$source"
   cp -r "$project/plugins/hosts/python" "$source"
   find "$source" -name __pycache__ -prune -exec rm -rf {} +
   cp "$project/LICENSE" "$source"
-  TALWEG_WHEEL_TAG=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
-  export TALWEG_WHEEL_TAG
-  (cd "$source" && TALWEG_PLUGIN_PATH=$plugins /usr/bin/python3 -c \
+  (cd "$source" && TALWEG_PLUGIN_PATH=$1 TALWEG_WHEEL_TAG=$2 /usr/bin/python3 -c \
     "from setuptools import build_meta; build_meta.build_wheel('$out')") >"$work/wheel.log" 2>&1 ||
     { tail -n 10 "$work/wheel.log" >&2; exit 1; }
 }
 
+# archive MACHINE TALWEG...: program and plugins, with completions as the command TALWEG... tells them.
 archive() {
-  local tree=$work/talweg-$version-linux-x86_64 program=$work/portable/tree/bin/talweg
+  local tree=$work/talweg-$version-linux-$1 built=$work/portable-$1/tree
+  shift
   rm -rf "$tree"
-  cp -r "$work/portable/tree" "$tree"
-  python3 "$here/wheel_tag.py" "$tree"/bin/talweg "$tree"/lib/talweg/plugins/*.so* >/dev/null
+  cp -r "$built" "$tree"
   mkdir -p "$tree"/share/{bash-completion/completions,zsh/site-functions,fish/vendor_completions.d}
-  "$program" completion bash >"$tree/share/bash-completion/completions/talweg"
-  "$program" completion zsh >"$tree/share/zsh/site-functions/_talweg"
-  "$program" completion fish >"$tree/share/fish/vendor_completions.d/talweg.fish"
+  "$@" completion bash >"$tree/share/bash-completion/completions/talweg"
+  "$@" completion zsh >"$tree/share/zsh/site-functions/_talweg"
+  "$@" completion fish >"$tree/share/fish/vendor_completions.d/talweg.fish"
   cp "$project"/{LICENSE,CHANGELOG.md,CITATION.cff} "$tree"
-  packed "$tree" "$out/talweg-$version-linux-x86_64.tar.gz"
+  packed "$tree" "$out/$(basename "$tree").tar.gz"
+}
+
+# linux MACHINE: wheel and archive for any Linux on x86_64 or aarch64, which qemu runs here.
+linux() {
+  local sysroot=$work/sysroot-$1 built=$work/portable-$1 plugins=$work/portable-$1/tree/lib/talweg/plugins
+  local talweg=("$built/tree/bin/talweg") tag
+  "$here/portable/sysroot.sh" "$sysroot" "$1"
+  "$here/portable/build.sh" "$sysroot" "$1" "$work/sources/suitesparse-5.12.0+dfsg" "$built"
+  if [[ $1 == aarch64 ]]; then
+    talweg=("$sysroot/compiler/usr/bin/qemu-aarch64-static" -L "$sysroot" "${talweg[@]}")
+  fi
+  python3 "$here/wheel_tag.py" "$built/tree/bin/talweg" "$plugins"/*.so* >/dev/null
+  tag=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
+  wheel "$plugins" "$tag"
+  archive "$1" "${talweg[@]}"
+}
+
+openflipper() { # its sources: OpenFlipper compiles its plugins with itself
   local plugin=$work/talweg-openflipper-$version
   rm -rf "$plugin"
   cp -r "$project/plugins/hosts/openflipper" "$plugin"
@@ -65,19 +84,20 @@ archive() {
   packed "$plugin" "$out/talweg-openflipper-$version.tar.gz"
 }
 
-blender() { # the add-on, with the plugins that run anywhere
+# blender PLUGINS FILE: the add-on with these plugins.
+blender() {
   local stage=$work/blender addon=$work/blender/talweg_blender
   rm -rf "$stage"
   mkdir "$stage"
   cp -r "$project/plugins/hosts/blender/talweg_blender" "$addon"
   cp -r "$project/plugins/hosts/python/talweg" "$addon/talweg"
   find "$stage" -name __pycache__ -prune -exec rm -rf {} +
-  cp -r "$work/portable/tree/lib/talweg/plugins" "$addon/talweg/plugins"
+  cp -r "$1" "$addon/talweg/plugins"
   cp "$project/LICENSE" "$addon"
   mkdir -p "$addon/page/pictures" # what its help button shows
   cp "$project/docs/blender.md" "$addon/page"
   cp "$project"/docs/pictures/blender*.png "$addon/page/pictures"
-  python3 "$here/same_zip.py" "$addon" "$out/talweg_blender-$version.zip" "$SOURCE_DATE_EPOCH"
+  python3 "$here/same_zip.py" "$addon" "$out/$2" "$SOURCE_DATE_EPOCH"
 }
 
 # The filters for ParaView on this kind of system, and the plugins that run anywhere.
@@ -88,14 +108,14 @@ paraview() {
     return 0
   fi
   { cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
-      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_PANEL_PLUGINS="$work/portable/tree/lib/talweg/plugins" \
+      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_PANEL_PLUGINS="$work/portable-x86_64/tree/lib/talweg/plugins" \
       -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF -DTALWEG_BUILD_DRIVER=OFF &&
     cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" --target talweg-paraview; } >"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
   rm -rf "$tree"
   cmake --install "$build" --prefix "$tree" --component paraview --strip >/dev/null
   mkdir -p "$tree/lib/talweg"
-  cp -r "$work/portable/tree/lib/talweg/plugins" "$tree/lib/talweg"
+  cp -r "$work/portable-x86_64/tree/lib/talweg/plugins" "$tree/lib/talweg"
   cp "$project/LICENSE" "$project/docs/paraview.md" "$tree"
   local paraview
   paraview=$(basename "$tree"/lib/paraview-*)
@@ -130,20 +150,27 @@ notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
 
+listed() { # what is inside each file, and checksums
+  local list=talweg-$version.spdx.json root=$work/sysroot-$1
+  (cd "$out" && rm -f SHA256SUMS "$list" && shopt -s nullglob &&
+    python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$root" ./*.{whl,tar.gz,zip,deb} >"$work/$list" &&
+    mv "$work/$list" . && sha256sum -- * >SHA256SUMS && ls -l)
+}
+
+suitesparse
+if [[ ${2:-} == arm64 ]]; then
+  linux aarch64
+  listed aarch64
+  exit
+fi
 rm -rf "$out"
 mkdir "$out"
-"$here/portable/sysroot.sh" "$work/sysroot"
-suitesparse
-"$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
-wheel
+linux x86_64
 "$here/sdist.sh" "$out"
-archive
-blender
+openflipper
+blender "$work/portable-x86_64/tree/lib/talweg/plugins" "talweg_blender-$version.zip"
 paraview
 debian
 page
 notes
-python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$work/sysroot" \
-  "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip "$out"/*.deb >"$out/talweg-$version.spdx.json"
-(cd "$out" && sha256sum -- * >SHA256SUMS)
-ls -l "$out"
+listed x86_64
