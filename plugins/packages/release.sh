@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# release.sh OUT [windows]: everything that is given away, in OUT/out: wheels, source distribution, archives and Blender
+# release.sh OUT: everything that is given away, in OUT/out: wheels, source distribution, archives and Blender
 # add-ons, for Linux and (where mingw-w64's g++ is) for Windows, ParaView plugin and Debian packages (for the
 # ParaView and the Debian that are here), the page (where ./run page has made it), sources of the OpenFlipper
-# plugin; SHA256 sums, an SPDX list, notes. With "windows" only the files for Windows, which needs no root.
-# Two runs give the same bytes. Needs root, debootstrap and the network for the first run, g++-12, cmake,
-# ninja, dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
+# plugin; SHA256 sums, an SPDX list, notes.
+# release.sh OUT windows: only the files for Windows, beside the files in OUT/out.
+# release.sh OUT arm64: wheel and archive for 64-bit ARM, cross compiled, beside the files in OUT/out.
+# Two runs give the same bytes. Needs apt and the network for the first run, g++-12, cmake, ninja,
+# dpkg-dev, python3-setuptools, python3-wheel and the libraries that ./run installs.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 project=$(cd "$here/../.." && pwd)
@@ -47,17 +49,36 @@ wheel() {
     { tail -n 10 "$work/wheel.log" >&2; exit 1; }
 }
 
+# archive MACHINE TALWEG...: program and plugins, with completions as the command TALWEG... tells them.
 archive() {
-  local tree=$work/talweg-$version-linux-x86_64 program=$work/portable/tree/bin/talweg
+  local tree=$work/talweg-$version-linux-$1 built=$work/portable-$1/tree
+  shift
   rm -rf "$tree"
-  cp -r "$work/portable/tree" "$tree"
-  python3 "$here/wheel_tag.py" "$tree"/bin/talweg "$tree"/lib/talweg/plugins/*.so* >/dev/null
+  cp -r "$built" "$tree"
   mkdir -p "$tree"/share/{bash-completion/completions,zsh/site-functions,fish/vendor_completions.d}
-  "$program" completion bash >"$tree/share/bash-completion/completions/talweg"
-  "$program" completion zsh >"$tree/share/zsh/site-functions/_talweg"
-  "$program" completion fish >"$tree/share/fish/vendor_completions.d/talweg.fish"
+  "$@" completion bash >"$tree/share/bash-completion/completions/talweg"
+  "$@" completion zsh >"$tree/share/zsh/site-functions/_talweg"
+  "$@" completion fish >"$tree/share/fish/vendor_completions.d/talweg.fish"
   cp "$project"/{LICENSE,CHANGELOG.md,CITATION.cff} "$tree"
-  packed "$tree" "$out/talweg-$version-linux-x86_64.tar.gz"
+  packed "$tree" "$out/$(basename "$tree").tar.gz"
+}
+
+# linux MACHINE: wheel and archive for any Linux on x86_64 or aarch64, which qemu runs here.
+linux() {
+  local sysroot=$work/sysroot-$1 built=$work/portable-$1 plugins=$work/portable-$1/tree/lib/talweg/plugins
+  local talweg=("$built/tree/bin/talweg") tag
+  "$here/portable/sysroot.sh" "$sysroot" "$1"
+  "$here/portable/build.sh" "$sysroot" "$1" "$work/sources/suitesparse-5.12.0+dfsg" "$built"
+  if [[ $1 == aarch64 ]]; then
+    talweg=("$sysroot/compiler/usr/bin/qemu-aarch64-static" -L "$sysroot" "${talweg[@]}")
+  fi
+  python3 "$here/wheel_tag.py" "$built/tree/bin/talweg" "$plugins"/*.so* >/dev/null
+  tag=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
+  wheel "$plugins" "$tag"
+  archive "$1" "${talweg[@]}"
+}
+
+openflipper() { # its sources: OpenFlipper compiles its plugins with itself
   local plugin=$work/talweg-openflipper-$version
   rm -rf "$plugin"
   cp -r "$project/plugins/hosts/openflipper" "$plugin"
@@ -102,14 +123,14 @@ paraview() {
     return 0
   fi
   { cmake -S "$project" -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_LIBDIR=lib \
-      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_PANEL_PLUGINS="$work/portable/tree/lib/talweg/plugins" \
+      -DTALWEG_BUILD_PARAVIEW=ON -DTALWEG_PANEL_PLUGINS="$work/portable-x86_64/tree/lib/talweg/plugins" \
       -DTALWEG_BUILD_TESTS=OFF -DTALWEG_BUILD_DEMO=OFF -DTALWEG_BUILD_DRIVER=OFF &&
     cmake --build "$build" --parallel "${TALWEG_JOBS:-$(nproc)}" --target talweg-paraview; } >"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
   rm -rf "$tree"
   cmake --install "$build" --prefix "$tree" --component paraview --strip >/dev/null
   mkdir -p "$tree/lib/talweg"
-  cp -r "$work/portable/tree/lib/talweg/plugins" "$tree/lib/talweg"
+  cp -r "$work/portable-x86_64/tree/lib/talweg/plugins" "$tree/lib/talweg"
   cp "$project/LICENSE" "$project/docs/paraview.md" "$tree"
   local paraview
   paraview=$(basename "$tree"/lib/paraview-*)
@@ -144,29 +165,35 @@ notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
 
+listed() { # the parts of each file, and checksums
+  local list=talweg-$version.spdx.json root=$work/sysroot-$1
+  (cd "$out" && rm -f SHA256SUMS "$list" && shopt -s nullglob &&
+    python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$root" ./*.{whl,tar.gz,zip,deb} >"$work/$list" &&
+    mv "$work/$list" . && sha256sum -- * >SHA256SUMS && ls -l)
+}
+
 if [[ ${2:-} == windows ]]; then
   has_mingw || { echo "For Windows g++-mingw-w64-x86-64-posix is needed: apt install it." >&2; exit 1; }
   suitesparse
   windows
+  if [[ -d $work/sysroot-x86_64 ]]; then listed x86_64; fi  # the list needs the versions of its parts
+  exit
+fi
+suitesparse
+if [[ ${2:-} == arm64 ]]; then
+  linux aarch64
+  listed aarch64
   exit
 fi
 rm -rf "$out"
 mkdir "$out"
-"$here/portable/sysroot.sh" "$work/sysroot"
-suitesparse
-"$here/portable/build.sh" "$work/sysroot" "$work/sources/suitesparse-5.12.0+dfsg" "$work/portable"
-plugins=$work/portable/tree/lib/talweg/plugins
-tag=$(python3 "$here/wheel_tag.py" "$plugins"/*.so*)
-wheel "$plugins" "$tag"
+linux x86_64
 "$here/sdist.sh" "$out"
-archive
-blender "$plugins" "talweg_blender-$version.zip"
+openflipper
+blender "$work/portable-x86_64/tree/lib/talweg/plugins" "talweg_blender-$version.zip"
 if has_mingw; then windows; else echo "No files for Windows: there is no g++-mingw-w64-x86-64-posix"; fi
 paraview
 debian
 page
 notes
-python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$work/sysroot" \
-  "$out"/*.whl "$out"/*.tar.gz "$out"/*.zip "$out"/*.deb >"$out/talweg-$version.spdx.json"
-(cd "$out" && sha256sum -- * >SHA256SUMS)
-ls -l "$out"
+listed x86_64

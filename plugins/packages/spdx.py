@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """spdx.py VERSION SECONDS ROOT FILE...: what is inside the packages FILE..., and its licences, as SPDX 2.3
-in JSON on the standard output. SECONDS since 1970 are its date, ROOT the Debian that the parts for any
-Linux were built against."""
+in JSON on the standard output. SECONDS since 1970 are its date, ROOT what portable/sysroot.sh unpacked
+for the parts for any Linux."""
 
 import hashlib
 import json
@@ -68,10 +68,15 @@ def inside(name):
     return []  # sources and Python packages contain no others' parts
 
 
-def debian_version(package, root="/"):
-    done = subprocess.run(["dpkg-query", f"--admindir={root}/var/lib/dpkg", "-W", "-f", "${Version}", package],
+def debian_version(package):
+    done = subprocess.run(["dpkg-query", "-W", "-f", "${Version}", package],
                           check=False, capture_output=True, text=True)
-    return done.stdout or sys.exit(f"spdx.py: there is no {package} in {root}, so its version is not known")
+    return done.stdout or sys.exit(f"spdx.py: {package} is not installed, so its version is not known")
+
+
+def unpacked_version(package, root):
+    versions = dict(line.split() for line in (Path(root) / "versions").read_text().splitlines())
+    return versions.get(package) or sys.exit(f"spdx.py: {root}/versions does not tell that of {package}")
 
 
 def source_version(name):
@@ -94,7 +99,7 @@ def described(key, root):
     if key in SOURCES:
         return (SOURCES[key][0], source_version(key), SOURCES[key][1], None)
     if key in ROOT:
-        return (ROOT[key][0], debian_version(key, root), ROOT[key][1], f"deb/debian/{key}")
+        return (ROOT[key][0], unpacked_version(key, root), ROOT[key][1], f"deb/debian/{key}")
     return (HOST[key][0], debian_version(key), HOST[key][1], f"deb/debian/{key}")
 
 

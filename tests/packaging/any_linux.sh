@@ -14,7 +14,7 @@ echo "minimal root: $(du -smx "$root" | cut -f1) MiB, $(($(date +%s) - start)) s
 mount -t proc proc "$root/proc"
 trap 'umount "$root/proc"' EXIT
 mkdir "$root/given"
-cp "$out"/*-manylinux*.whl "$out"/talweg-*-linux-*.tar.gz "$root/given"
+cp "$out"/*_x86_64.whl "$out"/talweg-*-linux-x86_64.tar.gz "$root/given"
 awk '/^## The first/ { here = 1 } here && /^```$/ { exit } code; here && /^```python/ { code = 1 }' \
   "$page" >"$root/given/example.py"
 

@@ -1,35 +1,81 @@
 #!/bin/sh
-# arm64.sh ROOT [MIRROR]: compiles `intrinsic` and its tests for 64-bit ARM in a new minimal Debian 12 and
-# runs them by qemu. In a root of its own, since Debian's cross compiler and the g++-multilib of .ci/nightly
-# exclude each other. Needs root, debootstrap and the network. Not part of CI.
+# arm64.sh OUT FOLDER TALWEG [MESH CURVE]: tries by qemu what ./run release arm64 made (OUT is its folder) in new
+# roots in FOLDER, one with nothing but Debian 11's glibc. There the archive smooths CURVE on MESH (else a drawing
+# of the Python tests) as TALWEG, the program for this machine, does here, to 1e-12 of the curve's size, and refuses
+# a missing file by a sentence. In the other, with Debian 11's Python and numpy, the wheel passes fast tests of the
+# Python package, one of which compares with TALWEG. Needs root, for chroot, numpy and the network. Not part of CI.
 set -eu
-root=$1 mirror=${2:-http://deb.debian.org/debian}
+work=$(cd "$1/.." && pwd) talweg=$(realpath "$3")
 project=$(cd "$(dirname "$0")/../.." && pwd)
-if [ ! -e "$root/usr/bin/apt-get" ]; then
-  debootstrap --variant=minbase bookworm "$root" "$mirror" >"$root.log" 2>&1 ||
-    { tail -n 5 "$root.log" >&2; exit 1; }
+qemu=$work/sysroot-aarch64/compiler/usr/bin/qemu-aarch64-static
+rm -rf "$2"
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+if [ $# -ge 5 ]; then
+  mesh=$4 curve=$5
+else
+  mesh=$folder/hills.obj curve=$folder/staircase.txt
+  TALWEG_SOURCE=$project PYTHONPATH=$project/tests/hosts/python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 - \
+    "$mesh" "$curve" <<'PYTHON'
+import sys
+
+import support
+
+support.write_obj(sys.argv[1], *support.hills())
+support.np.savetxt(sys.argv[2], support.staircase(), "%d")
+PYTHON
 fi
-rm -rf "$root/talweg"
-mkdir -p "$root/talweg/tests/packaging"
-cp -r "$project/intrinsic" "$root/talweg"
-cp -r "$project/tests/intrinsic" "$root/talweg/tests"
-cp -r "$project/tests/packaging/arm64" "$root/talweg/tests/packaging"
-for header in "$project"/tests/*.hpp; do cp "$header" "$root/talweg/tests"; done
-mountpoint -q "$root/proc" || mount -t proc proc "$root/proc"
-trap 'umount "$root/proc"' EXIT
-cat >"$root/try.sh" <<'INSIDE'
-set -eu
-export DEBIAN_FRONTEND=noninteractive LC_ALL=C
-apt-get update -qq
-apt-get install -y -qq --no-install-recommends g++-aarch64-linux-gnu cmake ninja-build libeigen3-dev \
-  googletest qemu-user >/apt.log 2>&1 || { tail -n 20 /apt.log; exit 1; }
-start=$(date +%s)
-cmake -S /talweg/tests/packaging/arm64 -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release >/build.log 2>&1 &&
-  cmake --build /build --parallel "$1" >>/build.log 2>&1 || { tail -n 30 /build.log; exit 1; }
-echo "compiled for $(aarch64-linux-gnu-g++ -dumpmachine): $(($(date +%s) - start)) s"
-start=$(date +%s)
-cd /build
-qemu-aarch64 -L /usr/aarch64-linux-gnu ./intrinsic_test --gtest_brief=1
-echo "run by qemu: $(($(date +%s) - start)) s"
-INSIDE
-chroot "$root" sh /try.sh "${TALWEG_JOBS:-$(nproc)}"
+unpack() { # unpack ROOT PACKAGE...
+  unpacked=$1
+  shift
+  "$project/plugins/packages/portable/unpack.sh" "$unpacked" bullseye arm64 libc6 "$@"
+}
+
+root=$folder/root
+unpack "$root"
+mkdir "$root/given"
+cp "$qemu" "$root/given/qemu"
+cp "$mesh" "$root/given/mesh.${mesh##*.}"
+cp "$curve" "$root/given/curve.${curve##*.}"
+tar -xzf "$work"/out/talweg-*-linux-aarch64.tar.gz -C "$root/given"
+there() { # the program in the root, with nothing of this machine's environment
+  (cd "$root/given" && env -i PATH=/usr/sbin:/usr/bin chroot "$root" /given/qemu "/given/$(echo talweg-*)/bin/talweg" "$@")
+}
+there --version
+start=$(date +%s%3N)
+there smooth "/given/mesh.${mesh##*.}" --curve "/given/curve.${curve##*.}" -o /given/smooth.json
+echo "smoothed by qemu: $(($(date +%s%3N) - start)) ms"
+"$talweg" --quiet smooth "$mesh" --curve "$curve" -o "$folder/smooth.json"
+python3 - "$folder/smooth.json" "$root/given/smooth.json" <<'PYTHON'
+import json
+import sys
+
+here, there = ([point["xyz"] for curve in json.load(open(name))["curves"] for point in curve["points"]]
+               for name in sys.argv[1:])
+if len(here) != len(there):
+    sys.exit(f"{len(there)} points, and {len(here)} on this machine")
+size = max(max(column) - min(column) for column in zip(*here))
+farthest = max(abs(a - b) for p, q in zip(here, there) for a, b in zip(p, q))
+same = open(sys.argv[1], "rb").read() == open(sys.argv[2], "rb").read()
+print(f"{len(here)} points, farthest {farthest / size:.1e} of the curve's size{', the same bytes' if same else ''}")
+sys.exit(farthest > 1e-12 * size)
+PYTHON
+if there smooth "/given/mesh.${mesh##*.}" --curve /given/nothing.txt 2>"$folder/refused"; then exit 1; fi
+cat "$folder/refused"
+grep -q 'Cannot read /given/nothing.txt: No such file or directory.' "$folder/refused"
+
+root=$folder/python
+unpack "$root" libgcc-s1 libcrypt1 zlib1g libexpat1 libffi7 libuuid1 libbz2-1.0 liblzma5 libssl1.1 \
+  python3.9-minimal libpython3.9-minimal libpython3.9-stdlib python3-numpy libblas3 liblapack3 libgfortran5
+python3 -m zipfile -e "$work"/out/talweg-*_aarch64.whl "$folder/site"
+libraries=/usr/lib/aarch64-linux-gnu
+cd "$project/tests/hosts/python"
+for name in arrays curvature cut interface per_curve threads; do
+  PYTHONPATH="$folder/site:$root/usr/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1 TALWEG_SOURCE=$project \
+    TALWEG_DRIVER=$talweg LC_ALL=C.UTF-8 "$qemu" -L "$root" -E LD_LIBRARY_PATH="$libraries/blas:$libraries/lapack" \
+    "$root/usr/bin/python3.9" run.py "test_$name" >"$folder/$name.log" 2>&1 || {
+    tail -n 30 "$folder/$name.log" >&2
+    exit 1
+  }
+  echo "test_$name: $(grep '^Ran ' "$folder/$name.log")"
+done

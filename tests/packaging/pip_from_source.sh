@@ -20,7 +20,7 @@ here=$(bin/python -c "import talweg; print(talweg.__path__[0])")
 case $here in "$folder"/*) ;; *) echo "$here is not the one that was installed" >&2; exit 1 ;; esac
 (cd "$here/.." && find talweg -name __pycache__ -prune -o -type f -print) | sort >installed
 # A wheel for any Linux brings a library and licences beside the plugins.
-/usr/bin/python3 -m zipfile -l "$(echo "$out"/*-manylinux*.whl)" | awk '$1 ~ /^talweg\// { print $1 }' |
+/usr/bin/python3 -m zipfile -l "$(echo "$out"/*_x86_64.whl)" | awk '$1 ~ /^talweg\// { print $1 }' |
   grep -v -e '^talweg/plugins/libtalweg-' -e '^talweg/plugins/licences/' | sort >wheel
 diff installed wheel
 awk '/^## The first/ { here = 1 } here && /^```$/ { exit } code; here && /^```python/ { code = 1 }' \

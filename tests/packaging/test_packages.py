@@ -57,9 +57,11 @@ class Spdx(unittest.TestCase):
 
     def setUp(self):
         # What is not installed on every machine that runs tests.
-        version_of = mock.patch.object(spdx, "debian_version", lambda package, root="/": "1:2.0+b1")
-        version_of.start()
-        self.addCleanup(version_of.stop)
+        for function, made_up in (("debian_version", lambda package: "1:2.0+b1"),
+                                  ("unpacked_version", lambda package, root: "1:2.0+b1")):
+            version_of = mock.patch.object(spdx, function, made_up)
+            version_of.start()
+            self.addCleanup(version_of.stop)
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         folder = Path(temporary.name)
@@ -160,7 +162,7 @@ class Workflows(unittest.TestCase):
             self.assertTrue(re.search(r"(?m)^on:$", text) and re.search(r"(?m)^jobs:$", text))
             for command in re.findall(r"\./run ([a-z]+)", text):
                 self.assertIn(command, commands)
-            for script in re.findall(r"run: (\.[a-z]+/\S+)", text):
+            for script in re.findall(r"run: (?:>\s+)?((?:\.ci|plugins|tests)/\S+)", text):
                 self.assertTrue(os.access(PROJECT / script, os.X_OK), script)
             for file in re.findall(r"build/release/out/([A-Z]\S+)", text):
                 self.assertIn(f"$out/{file}", made)
@@ -173,6 +175,18 @@ class Versions(unittest.TestCase):
         for key in ("cff-version", "message", "title", "authors", "preferred-citation"):
             self.assertRegex(citation, rf"(?m)^{key}:")
         self.assertTrue(re.search(r"(?m)^## (\S+)", (PROJECT / "CHANGELOG.md").read_text())[1] == version())
+        for file, name in (("plugins/hosts/python/talweg/_version.py", "__version__ = \"{}\""),
+                           ("plugins/hosts/openflipper/Plugin-Talweg/TalwegPlugin.hh", "QString(\"{}\")"),
+                           ("README.md", "talweg-{}-linux-x86_64"), ("docs/packaging.md", "talweg-{}-linux-aarch64"),
+                           ("docs/python.md", "talweg-{}-py3")):
+            self.assertIn(name.format(version()), (PROJECT / file).read_text(), file)
+
+    def test_only_the_tag_of_this_version_is_released(self):
+        check = PROJECT / "plugins/packages/check_tag.sh"
+        subprocess.run([check, f"v{version()}"], check=True)
+        refused = subprocess.run([check, "v99.0.0"], check=False, capture_output=True, text=True)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn(f"the tag is v99.0.0, but CMakeLists.txt has version {version()}", refused.stderr)
 
 
 if __name__ == "__main__":

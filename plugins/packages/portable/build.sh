@@ -1,11 +1,17 @@
 #!/bin/sh
-# build.sh SYSROOT SUITESPARSE OUT: builds driver and plugins for any Linux with the sysroot's glibc or a
-# newer one, and installs them into OUT/tree with the shared library that they need.
+# build.sh SYSROOT MACHINE SUITESPARSE OUT: builds driver and plugins for any Linux on MACHINE (x86_64, aarch64) with
+# the sysroot's glibc or a newer one, and installs them into OUT/tree with the shared library that they need.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-sysroot=$(cd "$1" && pwd) suitesparse=$(cd "$2" && pwd)
-mkdir -p "$3"
-out=$(cd "$3" && pwd)
+sysroot=$(cd "$1" && pwd) machine=$2 suitesparse=$(cd "$3" && pwd)
+mkdir -p "$4"
+out=$(cd "$4" && pwd)
+if [ -d "$sysroot/compiler" ]; then
+  PATH=$sysroot/compiler/usr/bin:$PATH
+  export PATH LD_LIBRARY_PATH="$sysroot/compiler/usr/lib/x86_64-linux-gnu"
+fi
+"$machine-linux-gnu-gcc-12" --sysroot="$sysroot" -O2 -fPIC -c "$here/newer_glibc.c" \
+  -o "$sysroot/talweg/newer_glibc.o"
 jobs=${TALWEG_JOBS:-$(nproc)}
 compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
   target=$1 source=$2 build=$3
@@ -13,7 +19,7 @@ compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
   # Entries of ccache from another folder would contain its paths, which CMake would read.
   CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_SYSROOT="$sysroot" \
-    -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
+    -DTALWEG_MACHINE="$machine" -DTALWEG_SUITESPARSE="$suitesparse" "$@" >"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; exit 1; }
   cmake --build "$build" --parallel "$jobs" --target "$target" >>"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; exit 1; }
@@ -29,7 +35,7 @@ rm -rf "$out/tree"
 cmake --install "$out/talweg" --prefix "$out/tree" --component driver --strip >/dev/null
 plugins=$out/tree/lib/talweg/plugins
 cp "$out/cholmod/libtalweg-cholmod.so.3" "$plugins"
-strip --strip-unneeded "$plugins/libtalweg-cholmod.so.3"
+"$machine-linux-gnu-strip" --strip-unneeded "$plugins/libtalweg-cholmod.so.3"
 
 # Licences of all parts.
 mkdir "$plugins/licences"

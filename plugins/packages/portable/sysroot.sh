@@ -1,28 +1,49 @@
 #!/bin/sh
-# sysroot.sh ROOT [MIRROR]: makes a minimal Debian 11 (glibc 2.31) to build against, with this machine's
-# header-only libraries beside it. Needs root, debootstrap and the network.
+# sysroot.sh ROOT MACHINE: what programs for x86_64 or aarch64 are compiled against: Debian 11's glibc (2.31) and
+# static libraries, and this machine's header-only libraries beside them. For aarch64 also the compiler, and qemu
+# to run what it makes, as ROOT/compiler. Needs apt and, the first time, the network.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-root=$1 mirror=${2:-http://deb.debian.org/debian}
-if [ ! -d "$root/usr/include" ]; then
-  debootstrap --variant=minbase --include=libc6-dev,libgcc-10-dev,zlib1g-dev,libpng-dev bullseye \
-    "$root" "$mirror" >"$root.log" 2>&1 || { tail -n 5 "$root.log" >&2; exit 1; }
-fi
-root=$(cd "$root" && pwd)
+mkdir -p "$1"
+root=$(cd "$1" && pwd) machine=$2
+case $machine in
+x86_64) architecture=amd64 ;;
+aarch64) architecture=arm64 ;;
+*) echo "sysroot.sh: $machine is neither x86_64 nor aarch64" >&2; exit 1 ;;
+esac
+"$here/unpack.sh" "$root" bullseye "$architecture" \
+  libc6 libc6-dev linux-libc-dev libcrypt-dev gcc-10-base libgcc-10-dev zlib1g-dev libpng-dev
 
-# Absolute links would lead out of the root.
-find "$root/usr/lib/x86_64-linux-gnu" "$root/usr/lib64" -maxdepth 1 -type l -lname '/*' |
+# Absolute links lead out of the root.
+find "$root/lib" "$root"/lib64 "$root/usr/lib" -type l -lname '/*' 2>/dev/null |
   while read -r link; do
     target=$(readlink "$link")
     case $target in "$root"/*) ;; *) ln -sfn "$root$target" "$link" ;; esac
   done
 
-# The unwinder of gcc 12 needs glibc 2.35; the unwinder of gcc 10, with the same interface, does not.
-mkdir -p "$root/talweg/include"
-ln -sfn "$root/usr/lib/gcc/x86_64-linux-gnu/10/libgcc_eh.a" "$root/talweg/libgcc_eh.a"
-gcc-12 --sysroot="$root" -O2 -fPIC -c "$here/newer_glibc.c" -o "$root/talweg/newer_glibc.o"
-for part in CLI OpenMesh eigen3 fmt nlohmann pugiconfig.hpp pugixml.cpp pugixml.hpp xxhash.h; do
+# The unwinder of gcc 12 asks glibc 2.35 for help; that of gcc 10, with the same interface, does not.
+parts=$root/talweg
+mkdir -p "$parts/include"
+ln -sfn "$root/usr/lib/gcc/$machine-linux-gnu/10/libgcc_eh.a" "$parts/libgcc_eh.a"
+for part in CLI OpenMesh eigen3 fmt nlohmann pugiconfig.hpp pugixml.hpp xxhash.h; do
   if [ -e "/usr/include/$part" ]; then
-    ln -sfn "/usr/include/$part" "$root/talweg/include/$part"
+    ln -sfn "/usr/include/$part" "$parts/include/$part"
   fi
 done
+
+# The standard library's headers, and pugixml: the only library of this machine that is not headers alone.
+if [ "$machine" = x86_64 ]; then
+  ln -sfn /usr/include/c++/12 "$parts/include/c++"
+  ln -sfn /usr/include/x86_64-linux-gnu/c++/12 "$parts/include/c++machine"
+  ln -sfn /usr/lib/x86_64-linux-gnu/libpugixml.a "$parts/libpugixml.a"
+else
+  # Installed, Debian's cross compilers would take the place of g++-multilib.
+  "$here/unpack.sh" "$root/compiler" bookworm amd64 binutils-aarch64-linux-gnu cpp-12-aarch64-linux-gnu \
+    gcc-12-aarch64-linux-gnu g++-12-aarch64-linux-gnu libgcc-12-dev-arm64-cross libstdc++-12-dev-arm64-cross \
+    qemu-user-static
+  "$here/unpack.sh" "$root/pugixml" bookworm arm64 libpugixml-dev
+  standard=$root/compiler/usr/aarch64-linux-gnu/include/c++/12
+  ln -sfn "$standard" "$parts/include/c++"
+  ln -sfn "$standard/aarch64-linux-gnu" "$parts/include/c++machine"
+  ln -sfn "$root/pugixml/usr/lib/aarch64-linux-gnu/libpugixml.a" "$parts/libpugixml.a"
+fi

@@ -1,22 +1,23 @@
-# Builds with the host's g++ and its static C++ library against the older glibc of a root by sysroot.sh
-# (TALWEG_SYSROOT). The programs run with this glibc or a newer one.
-list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TALWEG_SYSROOT)
+# g++ 12 and its static C++ library against an older glibc, that of a root that sysroot.sh made for a machine
+# (TALWEG_SYSROOT, TALWEG_MACHINE): programs run wherever glibc is as old as the root's, or newer.
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TALWEG_SYSROOT TALWEG_MACHINE)
+set(machine ${TALWEG_MACHINE}-linux-gnu)
 set(CMAKE_SYSTEM_NAME Linux)
-set(CMAKE_SYSTEM_PROCESSOR x86_64)
-set(CMAKE_C_COMPILER gcc-12)
-set(CMAKE_CXX_COMPILER g++-12)
+set(CMAKE_SYSTEM_PROCESSOR ${TALWEG_MACHINE})
+set(CMAKE_C_COMPILER ${machine}-gcc-12)
+set(CMAKE_CXX_COMPILER ${machine}-g++-12)
 set(CMAKE_SYSROOT ${TALWEG_SYSROOT})
-set(CMAKE_LIBRARY_ARCHITECTURE x86_64-linux-gnu)
+set(CMAKE_LIBRARY_ARCHITECTURE ${machine})
 
 # The compiler would look for its own headers inside the root, and for libraries outside of it.
-set(libraries ${TALWEG_SYSROOT}/usr/lib/x86_64-linux-gnu)
+set(libraries ${TALWEG_SYSROOT}/usr/lib/${machine})
 set(search "-B${libraries} -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 # Unused functions are left out: copies in several sources, and parts of the core.
 string(APPEND search " -ffunction-sections -fdata-sections")
 set(CMAKE_C_FLAGS_INIT "${search}")
 set(CMAKE_CXX_FLAGS_INIT "${search} -nostdinc++")
-foreach(folder c++/12 x86_64-linux-gnu/c++/12 c++/12/backward)
-  string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem /usr/include/${folder}")
+foreach(folder c++ c++machine c++/backward)
+  string(APPEND CMAKE_CXX_FLAGS_INIT " -isystem ${TALWEG_SYSROOT}/talweg/include/${folder}")
 endforeach()
 # Code that refers to a symbol of a newer glibc does not link. The static libstdc++ must be followed by the
 # library of threads, which was separate before glibc 2.34.
