@@ -225,6 +225,7 @@ class Snapping {
       poller_.set_fraction(static_cast<double>(c) / static_cast<double>(result_.curves.size()));
       move(c, given);
     }
+    drop_painted_points_off_the_curves();
     return std::move(result_);
   }
 
@@ -250,6 +251,17 @@ class Snapping {
       moves.moved = moves.farthest = 0;
     }
     result_.moves.push_back(moves);
+  }
+
+  /// Points that were painted before a curve was moved may lie on no curve after it.
+  void drop_painted_points_off_the_curves() {
+    if (result_.points.painted.empty()) return;
+    PointLookup points;
+    for (const SurfaceCurve& curve : result_.curves) {
+      for (const SurfacePoint& point : curve.points) points.add(point);
+    }
+    std::erase_if(result_.points.painted,
+                  [&](const SurfacePoint& point) { return !points.contains(point); });
   }
 
   /// A loop whose whole way collapsed onto one place is left as it was.

@@ -55,8 +55,9 @@ std::string times(std::size_t count) {
 
 void warn_of_crossings(SmoothingReport& report) {
   if (report.crossings_after == report.crossings_before) return;
-  std::string sentence = fmt::format("The drawing crosses itself and other curves {}, the result {}.",
-                                     times(report.crossings_before), times(report.crossings_after));
+  std::string sentence =
+      fmt::format("The drawing crosses itself and other curves {}, the result {}.",
+                  times(report.crossings_before), times(report.crossings_after));
   if (report.crossings_after > report.crossings_before) {
     warn_decisively(report, {std::move(sentence)});
   } else {

@@ -112,6 +112,16 @@ TEST_F(DriverWayPoints, RidgesMoveDrawingsAndTheirClicks) {
   EXPECT_FALSE(curve.painted.empty());
 }
 
+TEST_F(DriverWayPoints, RidgesMoveADrawingASecondTime) {
+  write_mesh(file("roof.ply"), roof());
+  succeed("draw roof.ply --through 538,676,568 --ridges 1 --ridge-band 2 -o once.json");
+  succeed("smooth roof.ply --curve once.json --ridges 1 --ridge-band 6 -o twice.json");
+  const json twice = read("twice.json");
+  for (const json& point : twice.at("curves").at(0).at("points")) {
+    EXPECT_NEAR(point.at("xyz").at(1), 15, 0.2) << point;
+  }
+}
+
 TEST_F(DriverWayPoints, SmoothReportsWhatRidgesMoved) {
   write_mesh(file("roof.ply"), roof());
   succeed("draw roof.ply --through 538,676,568 --points rough -o stroke.json");
