@@ -257,9 +257,7 @@ class Snapping {
   void drop_painted_points_off_the_curves() {
     if (result_.points.painted.empty()) return;
     PointLookup points;
-    for (const SurfaceCurve& curve : result_.curves) {
-      for (const SurfacePoint& point : curve.points) points.add(point);
-    }
+    for (const SurfaceCurve& curve : result_.curves) points.add_all(curve.points);
     std::erase_if(result_.points.painted,
                   [&](const SurfacePoint& point) { return !points.contains(point); });
   }
