@@ -20,7 +20,7 @@ _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact dist
                      "runs over it, is a loop"),
             "closed": ("Loops", "Every curve is a loop"),
             "open": ("Open", "No curve is a loop that is not closed already"),
-            "both": ("Ridges and Valleys", "Whatever the surface turns at"),
+            "both": ("Both", "Ridges and valleys"),
             "convex": ("Ridges", "Edges and crests, which stand out"),
             "concave": ("Valleys", "Creases and fissures")}
 
