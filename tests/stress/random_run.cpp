@@ -66,7 +66,7 @@ std::shared_ptr<const OpenedMesh> open_or_repair(MeshLists lists, RunOutcome& ou
     // faces may stay.
     if (found.verdict != MeshVerdict::kRepairable &&
         found.reason.find("one-sided") == std::string::npos &&
-        found.reason.find("No face has an area") == std::string::npos) {
+        found.reason.find("All faces have zero area") == std::string::npos) {
       outcome.broken = "repaired, but not called repairable: " + found.reason;
     }
     return opened;

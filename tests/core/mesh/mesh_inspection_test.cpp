@@ -151,7 +151,7 @@ TEST(MeshInspection, WhatHasNoExtentAtAllIsNotCalledRepairable) {
   for (Point& p : lists.points) p = 1e-12 * p + Point(5e6, 5e6, 5e6);
   const MeshInspection found = inspect(lists);
   EXPECT_EQ(found.verdict, MeshVerdict::kUnusable);
-  EXPECT_NE(found.reason.find("No face has an area"), std::string::npos) << found.reason;
+  EXPECT_NE(found.reason.find("All faces have zero area"), std::string::npos) << found.reason;
   EXPECT_NE(found.reason.find("first: between vertices"), std::string::npos) << found.reason;
   EXPECT_THROW(OpenedMesh::open(repair(lists).lists), Error);
 }

@@ -19,7 +19,7 @@ FAULTS = {
     "face_out_of_range": "faces has 1000000000 in row 1, but there are 242",
     "vertex_out_of_range": "vertices has 77777777 in row 2, but there are 144",
     "nan_weights": "barycentrics has a number in row 1 that is not finite",
-    "large_weights": "barycentrics is no weights of three corners",
+    "large_weights": "barycentrics has weights that are negative or do not add up to 1",
     "few_positions": "positions has 2 rows, not 3",
     "few_weights": "barycentrics has 1 rows, not 3",
     "no_points": "A curve has no points",
