@@ -170,8 +170,8 @@ TEST(LabelBorders, SaysWhatIsWrong) {
     }
   };
   refused(Labels(5, 1), "5 labels");
-  refused(Labels(mesh.surface().face_count(), 1), "different");
-  refused(Labels(mesh.surface().vertex_count(), 4), "different");
+  refused(Labels(mesh.surface().face_count(), 1), "the same label");
+  refused(Labels(mesh.surface().vertex_count(), 4), "the same label");
 }
 
 }  // namespace
