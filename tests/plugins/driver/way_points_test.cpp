@@ -118,7 +118,8 @@ TEST_F(DriverWayPoints, RidgesMoveADrawingASecondTime) {
   succeed("smooth roof.ply --curve once.json --ridges 1 --ridge-band 6 -o twice.json");
   const json twice = read("twice.json");
   for (const json& point : twice.at("curves").at(0).at("points")) {
-    EXPECT_NEAR(point.at("xyz").at(1), 15, 0.3) << point;  // docs/ridges.md: ends
+    const double x = point.at("xyz").at(0), y = point.at("xyz").at(1);
+    EXPECT_NEAR(y, 15, x < 30 ? 0.3 : 1.2) << x;  // docs/ridges.md: ends may lie beside it
   }
 }
 
