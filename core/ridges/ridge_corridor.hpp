@@ -16,11 +16,12 @@
 
 namespace talweg {
 
-/// Its nodes are vertices, three points of each edge, and the points of the drawing; two are joined
-/// where they lie in a common face. Along the drawing a way costs its length, on ground four times
-/// that, and on a ridge less the more the surface turns there: at `strength` 1 as much as along the
-/// drawing where it turns by 10°, in the limit a quarter. At the rim of the corridor everything
-/// costs half as much again as at the drawing.
+/// The nodes of the graph are vertices, three points of each edge, and the points of the drawing;
+/// two nodes are joined where they lie in a common face. The cost of an arc is its length times a
+/// factor: 1 along the drawing, 4 on ground, and less on a ridge the more the surface turns there.
+/// At `strength` 1 a ridge costs as much as the drawing where the surface turns by 10°, and a
+/// quarter in the limit. At the rim of the corridor all costs are half as much again as at the
+/// drawing.
 class RidgeCorridor {
  public:
   static constexpr double kAsDrawn = 0.5;  ///< of a pull
@@ -35,28 +36,28 @@ class RidgeCorridor {
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] const Point& position(std::size_t node) const { return places_[node]; }
   [[nodiscard]] SurfacePoint point(std::size_t node) const;
-  /// The same for the same vertex, or point of an edge, in all corridors on a mesh.
+  /// A number of a vertex, or of a point of an edge, that is the same in all corridors on a mesh.
   [[nodiscard]] std::uint64_t key(std::size_t node) const;
   /// Whether the node may be used, that is, lies within the width.
   [[nodiscard]] bool is_inside(std::size_t node) const { return inside_[node] != 0; }
   [[nodiscard]] std::size_t drawn_count() const { return line_.size(); }
   [[nodiscard]] std::size_t drawn_node(std::size_t k) const { return first_drawn_ + k; }
   [[nodiscard]] bool is_drawn(std::size_t node) const { return node >= first_drawn_; }
-  /// How strongly a node attracts, [0, 1): at kAsDrawn a way costs as much as along the drawing.
-  /// For nodes that are not drawn also by the creases that they lie on.
+  /// How strongly a node attracts, [0, 1): at kAsDrawn an arc costs as much as along the drawing.
+  /// The pull of a node that is not drawn includes the creases on which the node lies.
   [[nodiscard]] double pull(std::size_t node) const;
-  /// Whether a way between two neighbours costs at most as much as along the drawing.
+  /// Whether the arc between two neighbours costs at most as much as along the drawing.
   [[nodiscard]] bool is_ridge_between(std::size_t from, std::size_t to) const;
 
   struct Start {
     std::size_t node = 0;
     double cost = 0;
   };
-  /// Costs of the cheapest ways from the starts to all nodes, infinite where there is none.
+  /// Costs of the cheapest paths from the starts to all nodes, infinite where no path exists.
   /// Dijkstra's algorithm. Throws Cancelled.
   void run(std::span<const Start> starts, ProgressPoller& poller);
   [[nodiscard]] double cost(std::size_t node) const { return cost_[node]; }
-  /// The nodes of the way that run() has found, from a start on.
+  /// The nodes of the path that run() has found, from a start to `node`.
   [[nodiscard]] std::vector<std::size_t> way_to(std::size_t node) const;
 
  private:
@@ -80,7 +81,7 @@ class RidgeCorridor {
 
   const SurfaceMesh* mesh_;
   std::vector<SurfacePoint> line_;
-  std::unordered_map<std::size_t, double> reached_;  // vertices: along edges from the line
+  std::unordered_map<std::size_t, double> reached_;  // vertices: distance along edges to the line
   std::unordered_map<std::size_t, std::uint32_t> vertex_nodes_, side_numbers_, face_numbers_;
   std::vector<VertexId> vertices_;
   std::vector<EdgeId> edges_;

@@ -1,4 +1,4 @@
-// Ridge gates are the places of a drawing that a way along ridges must pass, or pass near.
+// Ridge gates are the places of a drawing that a path along ridges must pass exactly or nearby.
 #pragma once
 
 #include <cstddef>
@@ -32,9 +32,8 @@ struct RidgeGate {
   double thickness = 0;
 };
 
-/// The gates of a curve in its order, those at the ends of an open one included, and how wide the
-/// corridor is on the stretch from each to the next: of a closed curve also from the last to the
-/// first.
+/// The gates of a curve in its order, including the ends of an open curve, and the widths of the
+/// corridors between successive gates; for a closed curve also from the last gate to the first.
 struct RidgeGates {
   std::vector<RidgeGate> gates;
   std::vector<double> widths;  ///< mesh units

@@ -1,4 +1,5 @@
-// A ridge way leads through the gates of a drawing, along ridges where that is cheaper.
+// A ridge way is the cheapest path through the gates of a drawing, along ridges where that costs
+// less.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +17,8 @@ namespace talweg {
 /// A point of the way.
 struct RidgeStep {
   SurfacePoint point;
-  std::optional<std::size_t> drawn;  ///< the point of the drawing that it is
-  std::optional<std::size_t> gate;   ///< that it passes
+  std::optional<std::size_t> drawn;  ///< the point of the drawing at this step
+  std::optional<std::size_t> gate;   ///< the gate that the way passes here
   bool ridge_next = false;           ///< whether a ridge leads to the next step
 };
 

@@ -31,7 +31,7 @@ using Command = std::function<int()>;
 /// of a shell): an empty argument, `--tau=`, or a list with nothing between two commas.
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
-/// Throws Error(kBadUsage) for an unknown argument, with a suggestion of what may have been meant.
+/// Throws Error(kBadUsage) for an unknown argument, and suggests a similar known argument.
 [[noreturn]] void refuse_unexpected(const CLI::App& app, const std::string& argument);
 
 Command add_draw(CLI::App& app, const GlobalOptions& global);

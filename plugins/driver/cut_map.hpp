@@ -1,4 +1,4 @@
-// A cut map tells where the vertices and faces of cut meshes come from, as JSON.
+// A cut map gives, as JSON, the origins of the vertices and faces of cut meshes.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace talweg::driver {
 
-/// The map of parts that are written to these files (docs/cutting.md).
+/// The map of parts that are written to the files of these names (docs/cutting.md).
 std::string cut_map_json(std::span<const PartOrigins> parts, std::span<const std::string> files);
 
 }  // namespace talweg::driver

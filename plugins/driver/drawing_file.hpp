@@ -25,11 +25,11 @@ namespace talweg::driver {
 /// structure is built once. The mesh and the map must outlive the reader.
 class DrawingReader {
  public:
-  /// With a map, curves are in the numbers of the file.
+  /// With a map, vertex and face numbers in curve files are the ones before the repair.
   explicit DrawingReader(const SurfaceMesh& mesh, const RepairMap* map = nullptr)
       : mesh_(&mesh), map_(map) {}
-  /// What the ends of curves are that are read from now on (open by default), and which are led to
-  /// the border (none).
+  /// Sets how the ends of curves read after this call are treated (open by default), and the curves
+  /// whose ends are extended to the border (none by default).
   void set_ends(CurveEnds ends, std::optional<LedCurves> led) {
     ends_ = ends;
     led_ = led;
@@ -56,9 +56,9 @@ class DrawingReader {
 SnappedDrawing read_drawing(const std::string& path, const SurfaceMesh& mesh,
                             const RepairMap* map = nullptr, const CoordinateFrame& frame = {});
 
-/// Labels of a file; if there was a map, converted to the repaired mesh.
+/// The labels of a file, converted to the repaired mesh if there is a map.
 struct ReadLabels : LabelFile {
-  std::vector<std::int64_t> of_file;  ///< as in the file, if there was a map
+  std::vector<std::int64_t> of_file;  ///< labels as in the file, if there is a map
 };
 
 /// The labels of a file; `property` as in LabelFileOptions. Throws Error(kBadFile) as

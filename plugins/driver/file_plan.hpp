@@ -36,13 +36,13 @@ class FilePlan {
 
   /// Throws Error(kBadUsage) if an output is also an input or another output, or is the standard
   /// output without a format; Error(kBadFile) for endings as the checks do, and for problems found
-  /// by check_writable(). If an output uses the standard output, text for people goes elsewhere
-  /// from here on.
+  /// by check_writable(). If an output uses the standard output, later text for people goes to the
+  /// standard error.
   void check() const;
 
  private:
-  /// An existing file is identified by its device and inode number; another one by the nearest
-  /// existing folder and the path from there.
+  /// The identity of an existing file is its device and inode number; the identity of a new file is
+  /// the nearest existing folder and the path from there.
   struct Identity {
     std::uint64_t device = 0, number = 0;
     std::string way;

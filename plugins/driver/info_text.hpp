@@ -1,4 +1,4 @@
-// The info text is what `talweg info` says about a mesh.
+// The info text is the output of `talweg info` about a mesh.
 #pragma once
 
 #include <optional>

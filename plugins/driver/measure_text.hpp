@@ -1,4 +1,4 @@
-// The measure text is what `talweg measure` tells, as a table.
+// The measure text is the table that `talweg measure` prints.
 #pragma once
 
 #include <string>

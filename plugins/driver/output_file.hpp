@@ -18,8 +18,8 @@ bool is_standard_output(std::string_view path);
 /// Throws Error(kBadFile) naming path and reason, and WaitCancelled.
 void write_output(const std::string& path, std::string_view bytes);
 
-/// Writes several outputs; if one fails, the others are still written, so a long run's work is not
-/// lost.
+/// Writes several outputs. If one output fails, the others are still written, so no result of a
+/// long run is lost.
 class OutputAttempts {
  public:
   /// Runs `write` and keeps the first Error.

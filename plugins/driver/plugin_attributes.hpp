@@ -1,5 +1,4 @@
-// Plugin attributes are the attributes of a file's mesh as they go through a plugin
-// (talweg_meshes.h).
+// Plugin attributes are a file's mesh attributes converted for a plugin and back (talweg_meshes.h).
 #pragma once
 
 #include <vector>
@@ -11,8 +10,8 @@ namespace talweg::driver {
 
 std::vector<host::Attribute> host_attributes(const MeshAttributes& attributes);
 
-/// What a plugin gave for a mesh that it made, as a file has it; what the plugin added comes last,
-/// in place of an attribute of that name.
+/// The attributes that a plugin gave for a mesh that it made, in the form of a file. Attributes
+/// added by the plugin come last and replace attributes of the same name.
 MeshAttributes file_attributes(const MeshAttributes& attributes,
                                const std::vector<host::Attribute>& carried);
 

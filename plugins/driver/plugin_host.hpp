@@ -1,4 +1,4 @@
-// The driver is a host of plugins: it finds them and has their errors and results in our types.
+// The driver as a host of plugins: loading them, and converting their errors and results.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,10 @@
 
 namespace talweg::driver {
 
-/// All plugins that were found; loaded when first needed, and kept until the program ends.
+/// All plugins that were found. A plugin is loaded when first needed, and kept until the program
+/// ends.
 const talweg_loader* plugin_loader();
-/// Throws Error(kBadFile) that says where the plugin was looked for.
+/// Throws Error(kBadFile) that names the searched folders.
 const talweg_plugin& plugin_named(const std::string& id);
 
 /// Converts a plugin's error: to an Error, or to std::runtime_error for the plugin's own faults.
@@ -30,7 +31,8 @@ std::vector<ReportEntry> entries_of(const host::Results& results, std::int64_t c
 /// Gives the mesh of a file to a plugin, which copies it.
 void set_mesh(host::Instance& instance, std::span<const Point> points,
               std::span<const Triangle> triangles);
-/// The same; coordinates that the file stores as 32-bit floats are given as such.
+/// The same for a mesh of a file; coordinates that the file stores as 32-bit floats are given as
+/// floats.
 void set_mesh(host::Instance& instance, const MeshLists& lists);
 
 }  // namespace talweg::driver

@@ -1,5 +1,5 @@
-// Plugin meshes are the meshes that a run of a plugin made, with their attributes and origins, to
-// be written.
+// Plugin meshes are the meshes that a run of a plugin made, ready to be written with their
+// attributes and origins.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,16 @@ void check_tag(const std::string& path);
 class PluginMeshes {
  public:
   PluginMeshes() = default;
-  /// Takes the meshes of the instance's last run. `attributes`: of the mesh that went in; `single`:
-  /// whether its file stores coordinates as 32-bit floats.
+  /// Takes the meshes of the instance's last run. `attributes` are the input mesh's; `single` says
+  /// whether the input file stores coordinates as 32-bit floats.
   PluginMeshes(const host::Instance& instance, const host::Results& results,
                const MeshAttributes& attributes, bool single, PatientSpace space);
 
   [[nodiscard]] bool empty() const { return meshes_.empty(); }
-  /// One is written to this file; of several "out.ply" becomes "out-0.ply", "out-1.ply", ...
+  /// Writes one mesh to this file; several meshes to "out-0.ply", "out-1.ply", ... for "out.ply".
   /// `tag`: with the curves' edges.
   void write(const std::string& path, bool tag) const;
-  /// Where they come from (docs/cutting.md); `path`: the file of the meshes, or empty.
+  /// Writes the meshes' origins (docs/cutting.md); `path` is the file of the meshes, or empty.
   void write_map(const std::string& map, const std::string& path) const;
 
  private:

@@ -16,13 +16,13 @@ namespace talweg::driver {
 
 class PluginOptions {
  public:
-  /// Adds one option per parameter ("max_deviation": --max-deviation), but for those that say how
-  /// the mesh is repaired: see set_repair(). The object must outlive the app's parsing.
+  /// Adds one option per parameter ("max_deviation": --max-deviation), except for the parameters of
+  /// mesh repair, see set_repair(). The object must outlive the app's parsing.
   PluginOptions(CLI::App& app, const talweg_plugin& plugin);
 
   /// Sets the parameters that were given. Throws Error(kBadFile) for files of fields, host::Error.
   void apply(host::Instance& instance) const;
-  /// The options that were given files of fields, with these files.
+  /// Pairs of an option that was given a file of a field, and the file's name.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> files() const;
   /// Whether the plugin repairs meshes itself.
   [[nodiscard]] bool repairs() const { return repairs_; }
@@ -44,7 +44,7 @@ class PluginOptions {
 };
 
 bool has_parameter(const talweg_plugin& plugin, std::string_view id);
-/// Sets a plugin's parameters for repair, for the steps of --repair; nothing for an empty list.
+/// Sets a plugin's repair parameters to the steps of --repair; does nothing for an empty list.
 void set_repair(host::Instance& instance, const std::string& list);
 
 /// The option's name: "--max-deviation" for "max_deviation".

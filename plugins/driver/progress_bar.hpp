@@ -1,4 +1,4 @@
-// A progress bar is shown on a terminal, and not when piped.
+// A progress bar is drawn on a terminal only, never into a pipe or file.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// A repaired mesh is that of a file, repaired where that was asked for.
+// A repaired mesh is read from a file and, on request, repaired.
 #pragma once
 
 #include <memory>

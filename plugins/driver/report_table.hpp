@@ -1,4 +1,4 @@
-// The report table is the report for people.
+// The report table is the report of a smoothing as text for people.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace talweg::driver {
 
-/// What is decisive and how far apart result and drawing lie, then lines with before and after side
-/// by side, deviations, work and times, and all other warnings.
+/// The table begins with the decisive warnings and the deviation of the result from the drawing.
+/// Lines with values before and after smoothing follow, then deviations, work and times, and all
+/// other warnings.
 std::string table_of(const SmoothingReport& report);
 
 }  // namespace talweg::driver

@@ -1,4 +1,4 @@
-// Ridge options say how strongly ridges attract a drawing, which, and from how far.
+// Ridge options set how strongly, of which kind and from how far ridges attract a drawing.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace talweg::driver {
 
-/// As it was typed.
+/// The options as typed.
 struct RidgeChoice {
   double strength = 0;
   std::string kind = "both";

@@ -1,5 +1,5 @@
-// The journal of many runs keeps each one's rows as soon as it is done, so that a killed program
-// can go on.
+// The journal of a list of runs keeps the rows of each run as soon as the run ends, so that a
+// killed program can be resumed.
 #pragma once
 
 #include <cstddef>
@@ -13,25 +13,26 @@
 
 namespace talweg::driver {
 
-/// Beside the summary, with `.part` behind its name; what is in both has the same form.
+/// The journal lies beside the summary, with `.part` appended to its name; rows have the same form
+/// in both.
 class RunJournal {
  public:
-  /// With `resume` reads what summary and journal have, and keeps it in the new journal. Throws
-  /// Error(kBadFile) when they cannot be read, or the journal cannot be written.
+  /// With `resume`, reads the rows of summary and journal and keeps them in the new journal. Throws
+  /// Error(kBadFile) when one of the files cannot be read, or the journal cannot be written.
   RunJournal(std::string summary, bool resume);
   RunJournal(const RunJournal&) = delete;
   RunJournal& operator=(const RunJournal&) = delete;
 
-  /// The run with these stamps that an earlier program finished, without a failure; nullptr if none
-  /// did.
+  /// The run with these stamps that an earlier program finished without a failure; nullptr if no
+  /// such run exists.
   [[nodiscard]] const SummaryRun* earlier(const std::string& inputs,
                                           const std::string& outputs) const;
-  /// Why nothing can be taken from an earlier table; empty where it can.
+  /// Why no rows of an earlier table can be kept; empty where rows can be kept.
   [[nodiscard]] const std::string& other_table() const { return other_table_; }
 
-  /// Adds a run that is done. May be called from any thread.
+  /// Adds a finished run. May be called from any thread.
   void add(const SummaryRun& run);
-  /// The summary stands: the journal is removed.
+  /// Removes the journal, to be called after the summary was written.
   void close();
 
  private:
@@ -43,8 +44,7 @@ class RunJournal {
   File file_;
 };
 
-/// The name of the journal of a summary; empty for a summary that is no file, but a pipe or
-/// nothing.
+/// The name of the journal of a summary; empty for a summary that is a pipe or has no name.
 std::string journal_of(const std::string& summary);
 
 }  // namespace talweg::driver

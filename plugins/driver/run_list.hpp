@@ -1,4 +1,4 @@
-// A run list is a table with one run a line, and names of outputs made from it.
+// A run list is a table with one run per line, whose cells also name the outputs.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ struct ListedRun {
 std::vector<ListedRun> read_run_list(const std::string& path, const SmoothOptions& base,
                                      const std::string& summary);
 
-/// Throws Error(kBadUsage) if two runs would write the same file, or one writes a file that another
-/// one or the list is read from; and for outputs that cannot be written, as FilePlan::check() does.
+/// Throws Error(kBadUsage) if two runs would write the same file, or if a run writes the list or a
+/// file that another run reads; and for outputs that cannot be written, as FilePlan::check() does.
 void check_files(const std::vector<ListedRun>& runs, const std::string& list,
                  const std::string& summary);
 

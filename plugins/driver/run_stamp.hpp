@@ -1,4 +1,4 @@
-// Stamps tell whether a run would do again what an earlier one did.
+// Stamps of a run show whether a new run would repeat an earlier one.
 #pragma once
 
 #include <map>
@@ -9,13 +9,12 @@
 
 namespace talweg::driver {
 
-/// Hashes of what runs are made from. May be used from any thread.
+/// Hashes of the inputs of runs. May be used from any thread.
 class InputStamps {
  public:
   /// A hash of the program's version, of all options that can change a result, and of the contents
-  /// of the files that the run reads; their names do not matter, but their endings do. Empty when a
-  /// file cannot be read, or is a pipe, which can be read only once.
-  /// What a file's hash was is kept.
+  /// and name endings of the files that the run reads. Empty when a file cannot be read, or is a
+  /// pipe, which can be read only once. Hashes of files are cached.
   std::string of(const SmoothOptions& options);
 
  private:
@@ -25,8 +24,8 @@ class InputStamps {
   std::map<std::string, std::string> files_;
 };
 
-/// A hash of the curves that a run has written. A report has times in it, so it need only be there.
-/// Empty when an output is missing or is no file.
+/// A hash of the curves that a run has written. The report contains times, so only its existence
+/// counts. Empty when an output is missing or is no file.
 std::string outputs_stamp(const SmoothOptions& options);
 
 }  // namespace talweg::driver

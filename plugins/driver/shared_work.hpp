@@ -1,4 +1,4 @@
-// Shared work is many pieces of work that several threads take one after the other.
+// Shared work is a list of tasks that several threads take one after another.
 #pragma once
 
 #include <atomic>

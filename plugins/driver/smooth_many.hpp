@@ -13,7 +13,7 @@ namespace talweg::driver {
 struct ManyOptions {
   std::string list;      ///< name of the list, for messages
   std::string summary;   ///< table of all reports; none if empty
-  bool resume = false;   ///< keep what the summary and its journal say is done (needs `summary`)
+  bool resume = false;   ///< keep finished runs of the summary and its journal (needs `summary`)
   std::size_t jobs = 1;  ///< number of runs at a time, and limit of meshes open at a time
 };
 

@@ -1,4 +1,4 @@
-// The options of `talweg smooth` are for one run or for one line of a list.
+// The options of `talweg smooth`, for one run or one line of a list.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct SmoothOptions {
   std::string repair;               ///< steps; empty for none
   std::vector<std::string> curves;  ///< files
   std::string labels;               ///< a file of labels whose borders are the curves
-  std::string mesh_units;           ///< the unit of the mesh; empty: what its file says
+  std::string mesh_units;           ///< the unit of the mesh; empty: the unit of its file
   bool independent = false;         ///< smooth each curve separately instead of all as one set
   std::vector<std::string> outputs;
   WrittenPoints written;  ///< the points of outputs
@@ -39,9 +39,9 @@ struct SmoothOptions {
   std::string border = plugins::smooth_parameter("border").default_choice;
   RidgeChoice ridges;
   std::size_t repeat = 1;
-  // One value for all curves, or one for each of them.
+  // One value for all curves, or one value per curve.
   std::vector<double> tau = {plugins::smooth_parameter("tau").default_number};
-  std::vector<double> slack;  ///< none: by default; -1: this curve's is the default
+  std::vector<double> slack;  ///< empty: the default; -1: the default for this curve
   std::vector<std::string> finish = {"fair"};
   int relax = 0;
   std::optional<double> budget;       ///< s
@@ -55,18 +55,19 @@ void add_smooth_options(CLI::App& app, SmoothOptions& options);
 /// Registers the files that a run reads and writes.
 void plan_files(const SmoothOptions& options, FilePlan& files);
 
-/// What `points` says: the choice, and the vertices after "exact=". Throws Error(kBadUsage) for
-/// anything else.
+/// The parts of `points`: the choice, and the vertices after "exact=". Throws Error(kBadUsage) for
+/// other texts.
 struct PointsChoice {
   std::string points;
   std::vector<std::size_t> exact;
 };
 PointsChoice points_choice(const SmoothOptions& options);
 
-/// The options of one curve as those of all.
+/// Options for smoothing curve `curve` alone: lists with one value per curve are cut down to its
+/// value.
 SmoothOptions options_of_curve(const SmoothOptions& options, std::size_t curve);
 
-/// Throws Error(kBadUsage) where a list has neither one value nor one for each curve.
+/// Throws Error(kBadUsage) where a list has neither one value nor one per curve.
 void check_lists(const SmoothOptions& options, std::size_t curves);
 
 /// Throws Error(kBadUsage) if options contradict each other.

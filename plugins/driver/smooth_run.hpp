@@ -18,7 +18,7 @@
 
 namespace talweg::driver {
 
-/// A mesh, and how it was read.
+/// A mesh read from a file, and its origin.
 struct MeshFromFile {
   std::shared_ptr<const OpenedMesh> opened;
   double load_ms = 0;
@@ -54,7 +54,7 @@ struct RunOutcome {
   std::vector<std::size_t> numbers;  ///< numbers of result.curves among the run's curves
   std::vector<CurveFailure> failures;
   CoordinateFrame frame;  ///< of the mesh
-  SnappedDrawing moved;   ///< how far the curves were moved onto the mesh; has no curves
+  SnappedDrawing moved;   ///< moves of the curves onto the mesh, without curves
 
   [[nodiscard]] bool cancelled() const;
 };

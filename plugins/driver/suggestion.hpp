@@ -1,4 +1,4 @@
-// A suggestion is what a misspelt word was meant to be.
+// A suggestion is the known word most similar to a misspelt word.
 #pragma once
 
 #include <span>

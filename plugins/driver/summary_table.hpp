@@ -1,4 +1,4 @@
-// The summary table has the reports of many curves, one a line.
+// The summary table has the reports of many curves, one per line.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct SummaryRow {
   std::string number;
   std::string status;  ///< the report's termination, "failed" or "cancelled"
   std::string message;
-  /// The report's cells, as they stand in a line: of thousands of runs each is one string. Empty
-  /// without a result.
+  /// The report's cells as one string, as in the table's line, to save memory with thousands of
+  /// runs. Empty without a result.
   std::string cells;
 
   bool operator==(const SummaryRow&) const = default;
@@ -29,7 +29,7 @@ struct SummaryRun {
   std::size_t line = 0;  ///< line in the list; 0 without a list
   std::string mesh, curve;
   std::vector<SummaryRow> rows;
-  std::string inputs, outputs;  ///< stamps (run_stamp.hpp); empty where there is none
+  std::string inputs, outputs;  ///< stamps (run_stamp.hpp); empty if missing
 };
 
 /// `line mesh curve number status message`, the report's names without times and memory, so that
@@ -39,8 +39,8 @@ std::vector<std::string> summary_columns();
 std::string summary_header();
 std::string summary_lines(const SummaryRun& run);
 
-/// The reverse: runs from the cells of a table's lines, where they are complete; rows of a run that
-/// are not all there are left out.
+/// The inverse of the text: runs from the cells of a table's lines. Runs with missing rows are left
+/// out.
 std::vector<SummaryRun> runs_of(const std::vector<std::vector<std::string>>& lines);
 
 }  // namespace talweg::driver

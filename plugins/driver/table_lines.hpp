@@ -1,4 +1,5 @@
-// Table lines are the cells of a comma- or tab-separated text, which run lists and journals are.
+// Table lines are the cells of a comma- or tab-separated text, the format of run lists and
+// journals.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +9,8 @@
 
 namespace talweg::driver {
 
-/// The cells of a line that is neither empty nor a comment, and the number of the line where it
-/// begins.
+/// The cells of a line that is neither empty nor a comment, and the number of the line at which the
+/// cells begin.
 struct TableLine {
   std::size_t line = 0;
   std::vector<std::string> cells;

@@ -1,4 +1,5 @@
-// Written points are those that a result's curve is written with: its own, or some at equal steps.
+// Written points are the points of a result's curve in a file: its own, or resampled at equal
+// steps.
 #pragma once
 
 #include <cstddef>

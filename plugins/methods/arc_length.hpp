@@ -1,4 +1,4 @@
-// The arc length tells where on a curve a point is.
+// The arc length gives points on a curve by their distance along the curve.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Array views show vectors of the library to a host.
+// Array views pass vectors of the library to a host without a copy.
 #pragma once
 
 #include <array>

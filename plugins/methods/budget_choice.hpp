@@ -1,4 +1,4 @@
-// The budget choice is the two parameters for what a run may take.
+// The budget choice is the two parameters that limit the time and work of a run.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace talweg::plugins {
 
 /// The descriptions of the parameters "budget" and "budget_work".
 std::vector<talweg_parameter> budget_parameters();
-/// Their values.
+/// The values of these parameters.
 Budget budget_of(const plugin::Parameters& parameters);
 
 }  // namespace talweg::plugins

@@ -1,4 +1,4 @@
-// Curve choices are parameters of several plugins on curves: which are loops, and on which side.
+// Curve choices are parameters that several plugins share: ends of curves, and the side of a curve.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@ namespace talweg::plugins {
 
 /// The description of the parameter "ends", whose values curve_ends() takes.
 talweg_parameter ends_choice(std::uint32_t stage = TALWEG_STAGE_RUN);
-/// The description of a parameter that is "both", "left" or "right". Its strings must be constants.
+/// The description of a parameter with the choices "both", "left" and "right". Its strings must be
+/// constants.
 talweg_parameter side_choice(const char* id, const char* label, const char* doc);
 
 }  // namespace talweg::plugins

@@ -1,5 +1,5 @@
-// File calls are those of extensions that read and write files: they belong to no instance, and
-// tell what went wrong in a message.
+// File calls are the functions of extensions that read and write files; they need no instance, and
+// report errors in a message.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline void tell(const char* sentence, char* message, std::uint64_t size) noexce
   message[length] = 0;
 }
 
-/// Runs `body`; what it throws becomes a status and a message.
+/// Runs `body`; an exception becomes a status and a message.
 template <class Body>
 talweg_status attempt(char* message, std::uint64_t size, Body body) noexcept {
   try {

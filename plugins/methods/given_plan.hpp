@@ -1,4 +1,4 @@
-// A given plan is a cut plan as hosts get it (talweg_cut_plan.h).
+// A given plan is a cut plan in the form for hosts (talweg_cut_plan.h).
 #pragma once
 
 #include "host_mesh.hpp"
@@ -7,8 +7,8 @@
 
 namespace talweg::plugins {
 
-/// Throws plugin::Failure(TALWEG_UNSUPPORTED) if the mesh was repaired: the plan is then not one
-/// for the mesh that came in.
+/// Throws plugin::Failure(TALWEG_UNSUPPORTED) if the mesh was repaired, because the plan does not
+/// fit the host's mesh then.
 void give(const plugin::TakeCutPlan& take, const CutPlan& plan, const HostMesh& mesh);
 
 }  // namespace talweg::plugins

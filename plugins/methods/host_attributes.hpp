@@ -1,5 +1,4 @@
-// Host attributes are the values that a host gives with a mesh (talweg_meshes.h), in our own
-// memory.
+// Host attributes are copies of the attributes that a host gives with a mesh (talweg_meshes.h).
 #pragma once
 
 #include <array>
@@ -15,10 +14,10 @@
 
 namespace talweg::plugins {
 
-/// TALWEG_CARRY_...
+/// The TALWEG_CARRY_... constant.
 std::uint32_t rule_of(Carry carry);
 
-/// How attributes of the mesh that came in become those of another: by carried_to() and picked().
+/// Converts attributes of the host's mesh to another mesh, by carried_to() and picked().
 using CarryOver = std::function<MeshAttributes(const MeshAttributes& attributes)>;
 
 struct HostAttribute {
@@ -28,11 +27,11 @@ struct HostAttribute {
   double fill = 0;
   std::vector<double> values;                         ///< row by row
   bool shared = false;                                ///< corners share entries, or have none
-  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of corners only: entries
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< for corners: the entry of each
 };
 
-/// An attribute in its type, as the interface has it. Corners that do not share entries are there
-/// row by row. The attribute must outlive its view, which is not moved.
+/// A view of an attribute in its own type, as the interface has it. Corners that do not share
+/// entries are written row by row. The attribute must outlive its view, which must not be moved.
 class AttributeView {
  public:
   explicit AttributeView(const HostAttribute& attribute);
@@ -47,23 +46,23 @@ class AttributeView {
 
 class HostAttributes {
  public:
-  /// Copies them. Throws plugin::Failure(TALWEG_BAD_USAGE) naming the attribute: for a name that is
-  /// empty or there twice, an unknown element or rule, rows that do not fit, columns beyond 1 to
-  /// 64, whole numbers from 2^53, and corners that name no entry.
+  /// Copies the attributes. Throws plugin::Failure(TALWEG_BAD_USAGE) naming the attribute: for a
+  /// name that is empty or repeated, an unknown element or rule, a wrong number of rows, columns
+  /// outside 1 to 64, whole numbers from 2^53, and corners that name no entry.
   void set(std::span<const talweg_attribute* const> attributes, std::size_t vertices,
            std::size_t faces);
   void clear() { attributes_.clear(); }
   [[nodiscard]] const std::vector<HostAttribute>& all() const { return attributes_; }
-  [[nodiscard]] bool at_corners() const;  ///< whether some are of corners
+  [[nodiscard]] bool at_corners() const;  ///< whether there are attributes of corners
 
-  /// Gives all of them, carried over, in the types that they came in.
+  /// Gives all attributes to the host, converted to another mesh, in their original types.
   void give(const CarryOver& carry_over, const plugin::TakeAttribute& take) const;
 
  private:
   std::vector<HostAttribute> attributes_;
 };
 
-/// Gives one number for each triangle, as an attribute of theirs that the plugin makes.
+/// Gives one number per triangle, as an attribute made by the plugin.
 void give_per_triangle(const char* name, const std::vector<double>& values, std::uint32_t type,
                        const plugin::TakeAttribute& take);
 

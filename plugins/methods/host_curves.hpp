@@ -1,4 +1,4 @@
-// Host curves are curves as a host gives them, which are put on a mesh and joined there.
+// Host curves are a host's curves, which are put on a mesh and joined there.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ namespace talweg::plugins {
 /// TALWEG_BAD_CURVE when there are no points.
 CurveInput input_of(const talweg_curve& curve);
 
-/// The extension of the plugins that read the marks.
+/// The extension of plugins that read the marks.
 const talweg_way_points* way_points_extension();
 
 /// Snaps curves, in the numbers of the opened mesh, to it. Throws Error as snap() does.

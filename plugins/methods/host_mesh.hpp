@@ -1,5 +1,5 @@
-// A host mesh is a mesh as a host gave it, opened, and repaired first where that was asked for;
-// what comes in has the host's numbers, and so has what is given back.
+// A host mesh is a host's mesh, opened, and repaired first on request. Input and results have the
+// host's numbers of vertices and faces.
 #pragma once
 
 #include <cstdint>
@@ -22,17 +22,16 @@ namespace talweg::plugins {
 /// read.
 MeshLists lists_of(const talweg_mesh& mesh);
 
-/// `parameters`, followed by those that say how a mesh is repaired, which every plugin has that
-/// opens one.
+/// `parameters`, followed by the repair parameters, which every plugin that opens a mesh has.
 std::vector<talweg_parameter> with_repair(std::vector<talweg_parameter> parameters,
                                           bool by_default = false);
-/// The steps that these parameters ask for; none: no repair.
+/// The repair steps chosen by these parameters; none: no repair.
 std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters);
 
 class HostMesh {
  public:
-  /// Throws Error(kBadMesh) as OpenedMesh::open() and repair_to_surface() do. The mesh that was
-  /// opened last is given again for the same lists, while somebody has it.
+  /// Throws Error(kBadMesh) as OpenedMesh::open() and repair_to_surface() do. The last opened mesh
+  /// is returned again for the same lists, as long as it has another owner.
   static std::shared_ptr<const HostMesh> open(MeshLists lists,
                                               const std::optional<RepairSteps>& steps);
 
@@ -40,26 +39,26 @@ class HostMesh {
   [[nodiscard]] const SurfaceMesh& mesh() const { return opened_->mesh(); }
   /// Null if nothing was repaired.
   [[nodiscard]] const RepairMap* map() const { return map_.get(); }
-  /// Sentences on what was repaired.
+  /// Sentences on the changes of the repair.
   [[nodiscard]] const std::vector<std::string>& changes() const { return changes_; }
-  /// As it came in.
+  /// The mesh before the repair.
   [[nodiscard]] MeshLists lists() const;
-  [[nodiscard]] std::size_t vertex_count() const;  ///< as it came in
-  [[nodiscard]] std::size_t face_count() const;    ///< as it came in
+  [[nodiscard]] std::size_t vertex_count() const;  ///< before the repair
+  [[nodiscard]] std::size_t face_count() const;    ///< before the repair
 
-  // From the host's numbers.
+  // From the host's numbers to the opened mesh's.
   [[nodiscard]] CurveInput taken(const CurveInput& curve) const;
   [[nodiscard]] std::vector<SurfacePoint> taken_vertices(std::span<const std::uint32_t> ids) const;
-  /// Throws plugin::Failure(TALWEG_BAD_USAGE), with `what` in the sentence, for another number of
+  /// Throws plugin::Failure(TALWEG_BAD_USAGE), with `what` in the sentence, for a wrong number of
   /// values.
   [[nodiscard]] std::vector<double> taken_per_vertex(const std::vector<double>& values,
                                                      const std::string& what) const;
   [[nodiscard]] std::vector<double> taken_per_face(const std::vector<double>& values,
                                                    const std::string& what) const;
 
-  // To them.
+  // From the opened mesh's numbers to the host's.
   [[nodiscard]] PlacedCurve given(PlacedCurve curve) const;
-  /// A vertex that was split has the value of its first copy.
+  /// A split vertex has the value of its first copy.
   [[nodiscard]] std::vector<double> given_per_vertex(const std::vector<double>& values) const;
 
  private:
@@ -69,7 +68,7 @@ class HostMesh {
 
   std::shared_ptr<const OpenedMesh> opened_;
   std::optional<RepairSteps> steps_;
-  std::optional<MeshLists> came_in_;  // if repaired
+  std::optional<MeshLists> came_in_;  // before the repair; empty without one
   std::shared_ptr<const RepairMap> map_;
   std::vector<std::string> changes_;
 };

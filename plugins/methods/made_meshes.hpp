@@ -1,5 +1,5 @@
-// Made meshes are those that a run makes of a host's mesh, with its attributes and where they come
-// from (talweg_meshes.h).
+// Made meshes are the meshes that a run makes from a host's mesh, with attributes and origins
+// (talweg_meshes.h).
 #pragma once
 
 #include <cstddef>
@@ -21,15 +21,15 @@ namespace talweg::plugins {
 
 struct MadeMesh {
   std::size_t vertices = 0;
-  std::function<PartOrigins()> origins;  ///< made when a host asks for it
+  std::function<PartOrigins()> origins;  ///< computed when a host asks for it
   CarryOver carry_over;
-  /// Gives attributes that the plugin makes; may be null.
+  /// Gives the attributes that the plugin adds; may be null.
   std::function<void(const plugin::TakeAttribute& take)> own;
 };
 
 class MadeMeshes {
  public:
-  /// `vertices`, `faces`: of the mesh that came in. Throws as HostAttributes::set().
+  /// `vertices` and `faces` are the numbers of the host's mesh. Throws as HostAttributes::set().
   void set_attributes(std::span<const talweg_attribute* const> attributes, std::size_t vertices,
                       std::size_t faces);
   void forget_attributes();
@@ -52,7 +52,7 @@ class MadeMeshes {
   std::vector<MadeMesh> meshes_;
 };
 
-/// A part of the host's mesh that was cut; the host's mesh must outlive it. The cut may be without
+/// A part of the host's mesh after a cut; the host's mesh must outlive the part. The cut may lack
 /// its lists if there are no attributes of corners.
 MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut, MeshPart part);
 
@@ -85,7 +85,7 @@ class MakesMeshes : public Base {
     made_.forget_attributes();
   }
 
-  /// Takes a cut apart. Its lists, which attributes of corners need, are otherwise not copied.
+  /// Splits a cut into its parts. Its lists are copied only for attributes of corners.
   [[nodiscard]] MeshParts taken_apart(CutMesh& cut, const PartOptions& options) const {
     return Base::cancellable([&] {
       const SurfaceMesh& mesh = this->mesh();
@@ -94,7 +94,7 @@ class MakesMeshes : public Base {
                                 : take_apart(mesh, std::move(cut), {}, options, progress);
     });
   }
-  /// Gives the parts, and remembers them for talweg_meshes.h.
+  /// Gives the parts, and keeps them for talweg_meshes.h.
   void give_parts(const plugin::Outputs& outputs, std::vector<MeshPart> parts,
                   const std::shared_ptr<const CutMesh>& cut) {
     for (const MeshPart& part : parts) give(outputs, part.lists);

@@ -1,4 +1,4 @@
-// A mesh workspace is what every plugin begins with that works on a surface: a host's mesh.
+// A mesh workspace is the common base of plugins that work on a surface: it holds the host's mesh.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace talweg::plugins {
 
-/// The status that belongs to an exception of the library.
+/// The status for an exception of the library.
 talweg_status status_of(const std::exception& error);
 
 /// Base of the plugin classes (talweg_plugin.hpp); they must have the parameters of with_repair().
@@ -21,7 +21,7 @@ class MeshWorkspace {
 
   void set_mesh(const talweg_mesh& mesh, const plugin::Parameters& parameters);
   void share_mesh(const MeshWorkspace& other);
-  /// Opens the mesh anew if it is to be repaired otherwise.
+  /// Opens the mesh again if the repair parameters have changed.
   void prepare(const plugin::Parameters& parameters);
 
   static talweg_status status_of(const std::exception& error) { return plugins::status_of(error); }
@@ -31,7 +31,7 @@ class MeshWorkspace {
 
   /// Called when a new mesh is set, to drop results for the last one.
   virtual void forget() {}
-  /// Called when the mesh was opened anew, after forget(), to put what was set on it again.
+  /// Called when the mesh was opened again, after forget(), to put the drawing on it again.
   virtual void put_again() {}
 
   [[nodiscard]] const HostMesh& host_mesh() const { return *mesh_; }
@@ -44,8 +44,7 @@ class MeshWorkspace {
   void go_on(const char* stage, double fraction) const;
   /// The Progress for calls of the library; refers to the services.
   [[nodiscard]] Progress progress() const;
-  /// Does work of the library that throws Cancelled, and throws plugin::Services::cancelled()
-  /// instead.
+  /// Runs library work and turns its Cancelled into plugin::Services::cancelled().
   template <class Work>
   static auto cancellable(const Work& work) {
     try {
@@ -58,7 +57,7 @@ class MeshWorkspace {
  private:
   const plugin::Services* services_;
   std::shared_ptr<const HostMesh> mesh_;
-  std::optional<RepairSteps> steps_;  // that the mesh was opened with
+  std::optional<RepairSteps> steps_;  // of the opened mesh
 };
 
 }  // namespace talweg::plugins

@@ -1,5 +1,5 @@
-// A method workspace is what the plugins of other methods have in common: a drawing goes in; curves
-// and the same report as talweg.smooth's come out, so that methods can be compared.
+// A method workspace is the common base of plugins for other smoothing methods. Their output is
+// curves and a report as of talweg.smooth, so that methods can be compared.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class MethodWorkspace : public Workspace {
  public:
   using Workspace::Workspace;
 
-  /// The outputs that every method has.
+  /// The outputs of every method.
   static std::vector<talweg_output> outputs();
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs);

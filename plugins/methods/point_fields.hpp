@@ -11,9 +11,9 @@
 
 namespace talweg::plugins {
 
-/// Distance along the surface of each point of the result to the drawing, mesh units; infinite if
-/// the drawing cannot be reached. Takes O(mesh) memory, and time for what lies within the largest
-/// deviation. Throws plugin::Services::cancelled().
+/// Distance along the surface from each point of the result to the drawing, mesh units; infinite if
+/// the drawing cannot be reached. Uses O(mesh) memory; the time grows with the number of faces
+/// within the largest deviation. Throws plugin::Services::cancelled().
 PointField deviation_field(const SurfaceMesh& mesh, const SurfaceCurve& drawn,
                            const SurfaceCurve& result, const plugin::Services& services);
 
@@ -31,9 +31,9 @@ std::vector<double> exact_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services);
 
-/// The same in seconds on a mesh of a million faces: of more than 100,000 vertices the 20,000
-/// beside the curves have it exactly, and it is carried on from there (march_distance), about a per
-/// cent off.
+/// The same for large meshes, in seconds for a million faces. Up to 100,000 vertices the distances
+/// are exact. On larger meshes the 20,000 vertices nearest to the curves are exact, and
+/// march_distance() continues from them with an error of about one per cent.
 std::vector<double> quick_distance_field(const Surface& surface,
                                          std::span<const SurfaceCurve> curves,
                                          const plugin::Services& services);

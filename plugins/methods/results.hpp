@@ -1,4 +1,4 @@
-// Results of the library are given to a host's sink.
+// Results of the library are passed to a host's output functions.
 #pragma once
 
 #include <cstdint>
@@ -23,18 +23,18 @@ struct PointField {
 
 void give(const plugin::Outputs& outputs, const PlacedCurve& curve,
           const std::vector<PointField>& fields = {});
-/// `curve`: its number, or -1 for all curves together.
+/// `curve`: the curve's number, or -1 for all curves together.
 void give(const plugin::Outputs& outputs, std::int64_t curve,
           const std::vector<ReportEntry>& entries);
-/// One value per vertex or face of the mesh that came in.
+/// One value per vertex or face of the host's mesh.
 void give(const plugin::Outputs& outputs, const char* name, const char* unit,
           const std::vector<double>& values);
 
 using FieldsOf = std::function<std::vector<PointField>(std::size_t curve)>;
-/// `curve`: its number, or -1 for all curves together.
+/// `curve`: the curve's number, or -1 for all curves together.
 using EntriesOf = std::function<std::vector<ReportEntry>(std::int64_t curve)>;
 /// Gives the report on all curves, then each curve and its report. All curves and fields are
-/// computed before anything is given, and results that are not wanted are not computed.
+/// computed before the first output; results that the host does not want are not computed.
 void give_curves(const plugin::Outputs& outputs, const HostMesh& mesh,
                  std::span<const SurfaceCurve> curves, const FieldsOf& fields_of,
                  const EntriesOf& entries_of);

@@ -1,4 +1,4 @@
-// The ridge choice is the parameters by which drawings move onto ridges and valleys.
+// The ridge choice is the parameters that move drawings onto ridges and valleys.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace talweg::plugins {
 
-/// `ridges`, `ridge_kind` and `ridge_band`, of this stage.
+/// The parameters `ridges`, `ridge_kind` and `ridge_band` of this stage.
 std::vector<talweg_parameter> ridge_choice(std::uint32_t stage);
 RidgeOptions ridge_options_of(const plugin::Parameters& parameters);
 

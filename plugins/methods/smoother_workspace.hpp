@@ -1,4 +1,4 @@
-// A smoother workspace is what the plugins that work by a smoother have in common.
+// A smoother workspace is the common base of plugins that use a CurveSmoother.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ class SmootherWorkspace : public Workspace {
   using Workspace::Workspace;
 
  protected:
-  /// The smoother of the present mesh, made when first needed.
+  /// The smoother of the current mesh, made when first needed.
   [[nodiscard]] CurveSmoother& smoother();
   [[nodiscard]] bool has_smoother() const { return smoother_ != nullptr; }
   void forget() override {
@@ -27,7 +27,7 @@ class SmootherWorkspace : public Workspace {
   /// Throws plugin::Services::cancelled() if the run was cancelled.
   static void check(const SmoothingResult& result);
 
-  /// Adds sentences on what was repaired to the warnings.
+  /// Adds sentences on the repair to the warnings.
   void add_changes(SmoothingResult& result) const;
 
   using ReportEntriesOf = std::function<std::vector<ReportEntry>(const SmoothingReport& report)>;

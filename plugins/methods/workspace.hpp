@@ -1,4 +1,4 @@
-// A workspace is what every plugin on curves begins with: a mesh, opened, and a drawing on it.
+// A workspace is the common base of plugins on curves: an opened mesh, and a drawing on it.
 #pragma once
 
 #include <optional>
@@ -27,17 +27,17 @@ class Workspace : public MeshWorkspace {
  protected:
   ~Workspace() = default;
 
-  /// Puts curves, in the numbers of the opened mesh, on it: makes the drawing.
+  /// Puts curves, in the numbers of the opened mesh, on the mesh to make the drawing.
   virtual void put(const std::vector<CurveInput>& curves);
-  /// Classes that override it must call this one first.
+  /// Overriding classes must call this function first.
   void forget() override;
 
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
-  /// Makes loops of the curves that were set and are meant to be some, and leads the ends of those
-  /// that are `led` to the border. Until then none are.
+  /// Closes the curves that are meant as loops, and extends the ends of the curves chosen by `led`
+  /// to the border. Before this call no curve is changed.
   void finish_ends(CurveEnds ends, std::optional<LedCurves> led = {});
-  /// Warnings on the drawing, and sentences on what was repaired.
+  /// Warnings on the drawing, and sentences on the repair.
   [[nodiscard]] std::vector<std::string> reading_warnings() const;
   /// Counts the drawings and meshes that were set; a change of pins alone does not count.
   [[nodiscard]] std::uint64_t drawings() const { return drawings_; }

@@ -54,7 +54,8 @@ class MissedPoints : public testing::Test {
     ASSERT_EQ(warnings.size(), 1);
     EXPECT_EQ(result.report().termination, Outcome::kMissed);
     EXPECT_NE(warnings[0].find("misses 1 of the points"), std::string::npos) << warnings[0];
-    EXPECT_NE(warnings[0].find("by up to 6 mesh units through space, at (20, 10, 0)"), std::string::npos)
+    EXPECT_NE(warnings[0].find("by up to 6 mesh units through space, at (20, 10, 0)"),
+              std::string::npos)
         << warnings[0];
     EXPECT_TRUE(std::ranges::any_of(result.report().decisive, [&](const Decisive& one) {
       return one.sentence == warnings[0] && one.at == Point(20, 10, 0);
