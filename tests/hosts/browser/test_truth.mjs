@@ -111,7 +111,7 @@ export async function sentencesHaveThePagesWords() {
   await page.page.select('#mesh-unit', 'cm');
   await page.rest();
   await page.act('cut');
-  assert.match(await page.text('notes'), /The start of Curve 1 lies 1(\.0+)? cm before the border/);
+  assert.match(await page.text('notes'), /The start of Curve 1 lies 1(\.0+)? cm from the border/);
   await page.picture('words');
 }
 
