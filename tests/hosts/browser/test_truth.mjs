@@ -115,6 +115,13 @@ export async function sentencesHaveThePagesWords() {
   await page.picture('words');
 }
 
+export async function aCurveThatSeparatesNothingHasItsName() {
+  const page = await drawn([[10, 10], [20, 10]]);
+  await page.act('cut');
+  assert.match(await page.text('told'), /Curve 1 does not separate/);
+  assert.doesNotMatch(await page.text('told'), /curve 0/i);
+}
+
 /** A leg from a stroke to a click is no gap. */
 export async function strokesAndClicks() {
   const page = await withMesh();

@@ -2,6 +2,7 @@
 // on the mesh. Screen readers get events, and long work gets a button that ends it.
 import type { Spot, State } from '../state/state';
 import { changed, type Store } from '../state/store';
+import { worded } from '../state/wording';
 import { byId, setText } from '../elements';
 
 const spots: Spot[] = ['mesh', 'drawing', 'settings', 'offset', 'cut', 'files', 'session'];
@@ -15,7 +16,7 @@ export function bindTrouble(store: Store): void {
       for (const spot of spots) setText(`trouble-${spot}`, now.trouble[spot] ?? '');
       setText('alarm', alarmOf(now, before));
     }
-    if (changed(now, before, 'told')) setText('told', now.told);
+    if (changed(now, before, 'told')) setText('told', worded(now.told, now));
     if (!changed(now, before, 'busy')) return;
     clearTimeout(timer);
     byId('main').setAttribute('aria-busy', String(now.busy !== null));
