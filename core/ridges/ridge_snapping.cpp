@@ -178,6 +178,14 @@ class Departures {
   double left_ = 0, stayed_ = 0;                         // of the drawing's length, on ridges now
 };
 
+/// How far from the drawing a ridge may lie to attract it. A click moves at most a third of the way
+/// to the next, so a curve whose points were all clicked is held by dense clicks.
+double reach_of(const RidgeGates& gates, double band) {
+  double reach = 0;
+  for (const RidgeGate& gate : gates.gates) reach = std::max(reach, gate.radius);
+  return reach > 0 ? std::min(reach, band) : band;
+}
+
 /// What is known of a curve before it is moved.
 struct Setting {
   RidgeBand band;
@@ -233,9 +241,13 @@ class Snapping {
   void move(std::size_t c, const TakenPoints& given) {
     SurfaceCurve& curve = result_.curves[c];
     const Setting setting = setting_of(*mesh_, curve, options_, progress_);
-    RidgeMoves moves{options_.strength, setting.band.width, setting.scale, 0, 0, 0, 0, 0};
     const RidgeGates gates =
         ridge_gates(*mesh_, curve, stay_, given.way_points, given.painted, setting.band);
+    RidgeMoves moves;
+    moves.strength = options_.strength;
+    moves.band = setting.band.width;
+    moves.reach = reach_of(gates, setting.band.width);
+    moves.scale = setting.scale;
     RidgeField field(*mesh_, options_.kind, setting.scale, setting.roughness);
     Departures departures(*mesh_, curve,
                           ridge_way(*mesh_, field, curve, gates, options_.strength, poller_));
@@ -319,7 +331,7 @@ std::string RidgeMoves::sentence(std::size_t curve) const {
     return fmt::format(
         "Curve {} stays as it was drawn: no ridge that is strong enough lies within {:.3g} mesh "
         "units of it.",
-        curve, band);
+        curve, reach);
   }
   std::string text = fmt::format(
       "{:.0f} % of curve {} were moved onto ridges, by up to {:.3g} mesh units (band {:.3g}, "

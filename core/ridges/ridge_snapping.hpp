@@ -34,6 +34,7 @@ struct RidgeOptions {
 struct RidgeMoves {
   double strength = 0;
   double band = 0;      ///< mesh units
+  double reach = 0;     ///< mesh units: the band, or less where dense clicks hold the curve
   double scale = 0;     ///< mesh units: the radius within which turning was measured
   double moved = 0;     ///< [0, 1]: the part of the drawing's length that left for a ridge
   double already = 0;   ///< [0, 1]: the part that lay on a ridge as it was drawn

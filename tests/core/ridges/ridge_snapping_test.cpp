@@ -327,6 +327,17 @@ TEST(RidgeSnapping, ClicksMoveAlongPinsStayAndLegsArePainted) {
   EXPECT_FALSE(only_way_points(result.drawing.curves, result.drawing.points));
 }
 
+/// Each click may move by a third of the way to the next, and the crease is two edges away.
+TEST(RidgeSnapping, TellsHowFarDenseClicksCouldMove) {
+  const SurfaceMesh mesh = SurfaceMesh::open(sheet(30, 30, roof(70 * kDegree, 15, 0), 0));
+  std::vector<Point> clicks;
+  for (int x = 4; x <= 26; ++x) clicks.emplace_back(x, 13, -2 * std::tan(35 * kDegree));
+  const Ridged dense = ridged(mesh, clicks, false, strength(1), true);
+  EXPECT_EQ(dense.moves().moved, 0);
+  const std::string told = dense.moves().sentence(0);
+  EXPECT_NE(told.find("lies within 0.333 mesh units of it"), std::string::npos) << told;
+}
+
 TEST(RidgeSnapping, EndsOnTheBorderStayOnIt) {
   const Height height = roof(90 * kDegree, 20.37, 0);
   const SurfaceMesh mesh = SurfaceMesh::open(sheet(60, 40, height, 0.3));
