@@ -14,7 +14,7 @@ for pair in "gcc g++" "clang clang++"; do
     "$project/tests/plugins/toys/toy.c" -o "$folder/$1/toy.so"
   $2 -std=c++20 -O0 -fPIC -fvisibility=hidden -shared -I"$build/include" \
     "$project/docs/examples/height_plugin.cpp" -o "$folder/$1/height.so"
-  for source in module_check search_path shared_library system talweg_loader; do
+  for source in library_file module_check search_path shared_library system talweg_loader; do
     $2 -std=c++20 -O0 -c -I"$build/include" -DTALWEG_PLUGINS_FROM_PROGRAM='"none"' \
       -DTALWEG_INSTALLED_PLUGINS='"/none"' "$project/plugins/loader/$source.cpp" \
       -o "$folder/$1/$source.o"
