@@ -24,7 +24,7 @@ for pair in "gcc g++" "clang clang++"; do
   $2 "$folder/$1"/*.o -ldl -o "$folder/$1/plugin_host"
   $1 -std=c11 -O1 -c -I"$build/include" "$project/tests/interface/list_plugins.c" \
     -o "$folder/$1/list_main.o"
-  $2 "$folder/$1/list_main.o" "$folder/$1"/[mst]*.o -ldl -o "$folder/$1/list_plugins"
+  $2 "$folder/$1"/[lmst]*.o -ldl -o "$folder/$1/list_plugins"
   rm "$folder/$1/list_main.o"
 done
 
