@@ -43,6 +43,22 @@ class FaceBounds {
     return best;
   }
 
+  /// Whether the bound by way of the nearest points of a side, along which both curves run, to the
+  /// pieces in the face across it is at most `enough`. A stroke along an edge trembles to both
+  /// sides of the edge by rounding.
+  [[nodiscard]] bool less_across_a_side(const CurveSegment& s, const SegmentSample& a,
+                                        const SegmentSample& b, double enough) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SideFrame frame = side_frame(*surface_, s.face, k);
+      const PlanePoint p = frame.at(s.at(a.t), k), q = frame.at(s.at(b.t), k);
+      const auto is_beside = [&](PlanePoint x) {
+        return x.y < enough && x.x >= 0 && x.x <= frame.length;
+      };
+      if (is_beside(p) && is_beside(q) && less_across(frame, p, q, enough)) return true;
+    }
+    return false;
+  }
+
   /// Whether the bound by way of a point on a side of the face is less than `enough`. One point to
   /// the left and one to the right of the segment are tried: where the shortest way probably enters
   /// the face, given the angle at which it meets the segment, which follows from the slope of the
@@ -58,6 +74,24 @@ class FaceBounds {
   }
 
  private:
+  /// The distance is at most the height over the side plus the distance of the foot in the face
+  /// across it; both are convex along the segment.
+  [[nodiscard]] bool less_across(const SideFrame& frame, PlanePoint p, PlanePoint q,
+                                 double enough) const {
+    if (!surface_->has_face(twin(frame.side))) return false;
+    const FaceId face = surface_->face(twin(frame.side));
+    std::size_t k = 0;
+    SideFrame across = side_frame(*surface_, face, k);
+    while (across.side != twin(frame.side)) across = side_frame(*surface_, face, ++k);
+    const PlanePoint p_foot{frame.length - p.x, 0}, q_foot{frame.length - q.x, 0};
+    const auto pieces = pieces_->segments_in(face);
+    return std::any_of(pieces.begin(), pieces.end(), [&](const PolylinePiece& piece) {
+      const PlanePoint from = across.at(piece.from, k), to = across.at(piece.to, k);
+      return std::max(p.y + to_segment(p_foot, from, to), q.y + to_segment(q_foot, from, to)) <=
+             enough;
+    });
+  }
+
   /// less_by_sides() in the face across the side opposite to corner k, for a segment on this side.
   bool less_by_other_face(const CurveSegment& s, std::size_t k, const SegmentSample& a,
                           const SegmentSample& b, double enough) {

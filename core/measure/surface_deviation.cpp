@@ -132,6 +132,7 @@ class Measurement {
     }
     --samples_left_;
     if (bounds_.by_pieces(s, a, b) <= enough) return;
+    if (bounds_.less_across_a_side(s, a, b, enough)) return;
     // less_by_sides() costs two distances, so it is called only if halving would continue for long.
     if (middle_value + length / 8 > enough && bounds_.less_by_sides(s, a, b, enough)) return;
     const SegmentSample middle = sample(s, (a.t + b.t) / 2);

@@ -275,6 +275,22 @@ TEST(SurfaceDeviation, AMeterCanBeUsedAgain) {
        measure(mesh, curves[1], curves[0]));
 }
 
+/// The lines run in other faces all along, each nearly on the edges between them.
+TEST(SurfaceDeviation, OfLinesOnBothSidesOfTheSameEdgesIsMeasuredWithLittleWork) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(30, 20));
+  const double off = 1e-4;
+  const SurfaceCurve above = line(mesh, {{4.2, 10 + off, 0}, {26.3, 10 + off, 0}});
+  const SurfaceCurve below = line(mesh, {{4.2, 10 - off, 0}, {26.3, 10 - off, 0}});
+  Budget budget;
+  budget.work = 100'000;
+  DeviationMeter meter(mesh);
+  const SurfaceDeviation d =
+      meter.measure(std::span(&above, 1), std::span(&below, 1), Progress().with(budget));
+  EXPECT_TRUE(d.is_exact());
+  EXPECT_NEAR(d.to_drawn.max, 2 * off, 1e-9);
+  EXPECT_LE(d.from_drawn.max, 2 * off + 1e-9);
+}
+
 TEST(SurfaceDeviation, OfSinglePoints) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(8, 8));
   const SurfaceCurve point = vertex_curve(mesh.surface(), ids({4 * 9 + 4}), false);
