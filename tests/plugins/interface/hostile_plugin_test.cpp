@@ -59,7 +59,7 @@ class HostilePlugin : public DriverRuns {
   MeshLists lists_;
 };
 
-TEST_F(HostilePlugin, WhatItGivesWellIsTaken) {
+TEST_F(HostilePlugin, ValidResultsAreAccepted) {
   const host::Results results = run_hostile("none");
   ASSERT_EQ(results.curves.size(), 1U);
   EXPECT_EQ(results.curves[0].faces.size(), 3U);
@@ -68,7 +68,7 @@ TEST_F(HostilePlugin, WhatItGivesWellIsTaken) {
   EXPECT_EQ(results.number("value"), 1);
 }
 
-TEST_F(HostilePlugin, NonsenseIsAnErrorThatNamesIt) {
+TEST_F(HostilePlugin, InvalidResultsAreErrorsThatNameTheResult) {
   for (const auto& [fault, words] : kFaults) {
     try {
       (void)run_hostile(fault);
@@ -83,7 +83,7 @@ TEST_F(HostilePlugin, NonsenseIsAnErrorThatNamesIt) {
   }
 }
 
-TEST_F(HostilePlugin, TheDriverTellsItAndWritesNothing) {
+TEST_F(HostilePlugin, TheDriverReportsTheErrorAndWritesNothing) {
   write_mesh(file("mesh.ply"), lists_);
   ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.obj").code, 0);
   for (const char* fault : {"nan_position", "face_out_of_range", "curve_number", "null_text"}) {

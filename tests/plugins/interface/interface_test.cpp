@@ -18,7 +18,7 @@
 namespace talweg {
 namespace {
 
-/// The ids of all plugins of this build; TryEveryPluginThatIsFound compares them with the loader's.
+/// The ids of all plugins of this build; CoverEveryPluginOfTheLoader compares them with the loader's.
 /// Loading the module takes a second under a sanitizer, for each test of this program.
 std::vector<std::string> all_plugins() {
   return {"talweg.bipartition", "talweg.cut",      "talweg.distance", "talweg.draw",
@@ -98,7 +98,7 @@ class Interface : public testing::TestWithParam<std::string> {
   talweg_instance* instance_ = nullptr;
 };
 
-TEST_P(Interface, DescribesItself) {
+TEST_P(Interface, DescriptionsAreComplete) {
   EXPECT_GE(plugin_.parameter_count, 1U);
   EXPECT_GE(plugin_.output_count, 1U);
   for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
@@ -129,7 +129,7 @@ TEST_P(Interface, DefaultsCanBeSet) {
   EXPECT_STREQ(plugin_.last_error(instance_), "");
 }
 
-TEST_P(Interface, NullAtEveryArgument) {
+TEST_P(Interface, NullArgumentsAreRefused) {
   const talweg_plugin& p = plugin_;
   const talweg_mesh good = mesh();
   const talweg_curve curve = this->curve();
@@ -178,7 +178,7 @@ TEST_P(Interface, NullAtEveryArgument) {
   }
 }
 
-TEST_P(Interface, NonsenseInParameters) {
+TEST_P(Interface, BadParametersAreRefused) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
     const talweg_parameter& p = *plugin_.parameters[k];
@@ -206,7 +206,7 @@ TEST_P(Interface, NonsenseInParameters) {
   expect(TALWEG_BAD_USAGE, plugin_.reset(instance_, std::string(100000, 'x').c_str()), "long id");
 }
 
-TEST_P(Interface, NonsenseInMeshes) {
+TEST_P(Interface, BadMeshesAreRefused) {
   const talweg_mesh good = mesh();
   const auto refuse = [&](talweg_status expected, const char* what, auto change) {
     talweg_mesh bad = good;
@@ -245,7 +245,7 @@ TEST_P(Interface, NonsenseInMeshes) {
   });
 }
 
-TEST_P(Interface, NonsenseInCurves) {
+TEST_P(Interface, BadCurvesAreRefused) {
   set_up();
   if (!takes_curves()) return expect_no_curves();
   const auto refuse = [&](const char* what, auto change) {
@@ -335,7 +335,7 @@ struct FailingSink {
   }
 };
 
-TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
+TEST_P(Interface, OnlyFieldsOfCurvesWithKnownNamesAreRead) {
   const talweg_mesh good = mesh();
   ASSERT_EQ(plugin_.set_mesh(instance_, &good), TALWEG_OK);
   if (!takes_curves()) return expect_no_curves();
@@ -374,7 +374,7 @@ TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
   expect(TALWEG_BAD_USAGE, set(), "no list of fields");
 }
 
-TEST_P(Interface, SinksThatFailEndTheRun) {
+TEST_P(Interface, AFailingSinkEndsTheRun) {
   set_up();
   FailingSink all;
   talweg_sink sink = all.sink();
@@ -423,7 +423,7 @@ TEST_P(Interface, ACallFromACallbackIsRefused) {
   EXPECT_GT(context.refused, 0);
 }
 
-TEST_P(Interface, NonsenseInAttributes) {
+TEST_P(Interface, BadAttributesAreRefused) {
   const talweg_meshes* extension = meshes();
   if (extension == nullptr) {
     EXPECT_TRUE(GetParam() != "talweg.cut" && GetParam() != "talweg.labels" &&
@@ -484,7 +484,7 @@ TEST_P(Interface, NonsenseInAttributes) {
   expect(TALWEG_BAD_USAGE, extension->origin(instance_, 0, nullptr, nullptr), "no function");
 }
 
-TEST_P(Interface, HostsMayOfferNothing) {
+TEST_P(Interface, AHostNeedNotOfferServices) {
   const auto null_extension = [](const talweg_host*, const char*) -> const void* {
     return nullptr;
   };
@@ -518,7 +518,7 @@ TEST_P(Interface, HostsMayOfferNothing) {
   EXPECT_EQ(instance_, nullptr);
 }
 
-TEST_P(Interface, InstancesOfOtherPluginsAreNoticed) {
+TEST_P(Interface, InstancesOfOtherPluginsAreRefused) {
   for (const std::string& id : all_plugins()) {
     if (id == plugin_.id) continue;
     const talweg_plugin* other = &test::plugin_of_this_build(id.c_str());
@@ -532,7 +532,7 @@ TEST_P(Interface, InstancesOfOtherPluginsAreNoticed) {
   }
 }
 
-TEST(InterfaceTests, TryEveryPluginThatIsFound) {
+TEST(InterfaceTests, CoverEveryPluginOfTheLoader) {
   const test::Loader loader = test::open_loader();
   std::vector<std::string> found;
   for (std::uint64_t k = 0; k < talweg_loader_count(loader.get()); ++k) {

@@ -86,7 +86,7 @@ TEST_F(OpenMeshPlugin, AttributesAreProperties) {
   EXPECT_TRUE(said.empty());
 }
 
-TEST_F(OpenMeshPlugin, EveryTypeAndNumberOfColumnsGoesThereAndBack) {
+TEST_F(OpenMeshPlugin, AttributesOfEveryTypeAndWidthComeBackUnchanged) {
   const std::size_t n = lists.points.size();
   for (std::uint32_t type = TALWEG_FLOAT64; type <= TALWEG_UINT16; ++type) {
     for (const std::uint32_t columns : {1, 2, 3, 4, 5, 64}) {
@@ -110,7 +110,7 @@ TEST_F(OpenMeshPlugin, EveryTypeAndNumberOfColumnsGoesThereAndBack) {
   }
 }
 
-TEST_F(OpenMeshPlugin, CornersShareEntriesAsTheyDid) {
+TEST_F(OpenMeshPlugin, CornersKeepTheirSharedEntries) {
   host::Attribute uv = attribute("uv", TALWEG_OF_CORNERS, 2, {0, 0, 1, 0, 0, 1});
   uv.corners.assign(lists.triangles.size(), {0, 1, 2});
   uv.corners[4] = {2, TALWEG_NO_ENTRY, 0};
@@ -182,7 +182,7 @@ TEST_F(OpenMeshPlugin, DeletedElementsNeedNotBeCollected) {
   EXPECT_EQ(origin.chains.at(1), (std::array<std::uint32_t, 3>{0, 1, 8}));
 }
 
-TEST_F(OpenMeshPlugin, SaysWhatDoesNotGoOver) {
+TEST_F(OpenMeshPlugin, LostPropertiesAreReported) {
   instance.set_attributes({attribute("x", TALWEG_OF_VERTICES, 1, counted(49))});
   run("own");
   ASSERT_EQ(said.size(), 1U);

@@ -70,7 +70,7 @@ struct OpenMeshHost : testing::Test {
   const talweg_plugin& cut = test::plugin_of_this_build("talweg.cut");
 };
 
-TEST_F(OpenMeshHost, PointsAreHandedOverWhereTheyAre) {
+TEST_F(OpenMeshHost, PointsAreNotCopied) {
   const Single single = mesh_of<Single>(lists);
   const openmesh::MeshArrays<Single> arrays(single);
   EXPECT_EQ(arrays.positions().data, single.points());
@@ -124,7 +124,7 @@ TEST_F(OpenMeshHost, SmoothsACurveOnASinglePrecisionMesh) {
   }
 }
 
-TEST_F(OpenMeshHost, DeletedElementsAreNotSeenAndHandlesStay) {
+TEST_F(OpenMeshHost, DeletedElementsAreSkippedAndHandlesStayValid) {
   Double mesh = mesh_of<Double>(lists);
   mesh.request_vertex_status();
   mesh.request_edge_status();
@@ -178,7 +178,7 @@ TEST_F(OpenMeshHost, DeletedElementsAreNotSeenAndHandlesStay) {
       "The mesh has 0 vertices and 0 face");
 }
 
-TEST_F(OpenMeshHost, PropertiesComeBackOnMeshesThatWereMade) {
+TEST_F(OpenMeshHost, PropertiesAreCarriedToMadeMeshes) {
   Double mesh = mesh_of<Double>(lists);
   mesh.request_vertex_normals();
   OpenMesh::VProp<OpenMesh::Vec3d> place(mesh, "place");
@@ -271,7 +271,7 @@ TEST_F(OpenMeshHost, FieldsOfTrianglesAreFaceProperties) {
   EXPECT_GT(same, mesh.n_faces() * 9 / 10);
 }
 
-TEST_F(OpenMeshHost, ThePluginsSentencesArrive) {
+TEST_F(OpenMeshHost, ErrorsHaveTheSentenceOfThePlugin) {
   Single mesh = mesh_of<Single>(lists);
   host::OpenMeshInstance<Single> instance(smooth, services);
   EXPECT_EQ(sentence_of([&] { instance.set_mesh(Single()); }).find("no error"), std::string::npos);

@@ -55,7 +55,7 @@ TEST_F(OpenMeshPlugin, FieldsAreProperties) {
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "weight has 2 values, and the mesh 49.");
 }
 
-TEST_F(OpenMeshPlugin, RefusesWhatOpenMeshCannotHave) {
+TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {
   EXPECT_EQ(refusal({}), "The mesh has no faces.");
   EXPECT_EQ(refusal({{0, 1, 2}, {0, 2, 8}}), "Face 1 has vertex 8, and the mesh has 8 vertices.");
   EXPECT_EQ(refusal({{0, 1, 2}, {3, 4, 3}}), "Face 1 has vertex 3 twice.");
@@ -182,7 +182,7 @@ TEST_F(OpenMeshPlugin, BadCurvesAreRefused) {
   EXPECT_EQ(sentence_of([&] { without.set_curves({at({0, 1})}); }), "This plugin takes no curves.");
 }
 
-TEST_F(OpenMeshPlugin, MovesPositionsToTheNearestPoints) {
+TEST_F(OpenMeshPlugin, PositionsMoveToTheNearestPoints) {
   const SurfaceMesh surface = SurfaceMesh::open(lists);
   const ClosestPoint closest(surface);
   std::mt19937 random(2);

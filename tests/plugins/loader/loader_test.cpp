@@ -76,7 +76,7 @@ extern "C" const talweg_module* toy_linked_entry(std::uint32_t major, std::uint3
 
 const talweg_module* no_entry(std::uint32_t, std::uint32_t) { return nullptr; }
 
-TEST_F(LoaderTest, ModulesThatAreLinkedInComeBeforeThoseOfFiles) {
+TEST_F(LoaderTest, LinkedModulesComeBeforeModulesOfFiles) {
   put("plain", "plain.so");
   const talweg_linked_module linked[] = {
       {"no use", no_entry}, {"linked", toy_linked_entry}, {"again", toy_linked_entry}};
@@ -98,7 +98,7 @@ TEST_F(LoaderTest, ModulesThatAreLinkedInComeBeforeThoseOfFiles) {
   EXPECT_NE(why.at("again").find("found already, in linked"), std::string::npos);
 }
 
-TEST_F(LoaderTest, LoadsWhatItCanUse) {
+TEST_F(LoaderTest, PluginsOfGoodModulesAreLoaded) {
   put("plain", "plain.so");
   const test::Loader loader = open();
   ASSERT_EQ(talweg_loader_count(loader.get()), 1U);
@@ -110,7 +110,7 @@ TEST_F(LoaderTest, LoadsWhatItCanUse) {
   EXPECT_EQ(talweg_loader_find(loader.get(), "toy.other"), nullptr);
 }
 
-TEST_F(LoaderTest, VersionsMeetInBothDirections) {
+TEST_F(LoaderTest, OlderAndNewerVersionsWorkTogether) {
   expect_refused("older_major", "made for the plugin interface 0.9, and this is 1.2");
   expect_refused("newer_major", "made for the plugin interface 2.0, and this is 1.2");
   expect_refused("needs_newer", "needs the plugin interface 1.5, and this is 1.2");
@@ -127,7 +127,7 @@ TEST_F(LoaderTest, VersionsMeetInBothDirections) {
   EXPECT_EQ(run_toy(*newer, &of_tomorrow, "of_tomorrow"), 0);
 }
 
-TEST_F(LoaderTest, ANewerHostRunsThePluginsOfToday) {
+TEST_F(LoaderTest, ANewerHostRunsOurPlugins) {
   talweg_host newer = {};
   newer.size = sizeof newer + 64;  // as if it had grown
   newer.interface_major = TALWEG_INTERFACE_MAJOR;
@@ -138,7 +138,7 @@ TEST_F(LoaderTest, ANewerHostRunsThePluginsOfToday) {
   smooth.destroy(instance);
 }
 
-TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
+TEST_F(LoaderTest, FilesThatAreNoPluginsAreRefusedAndLoadingContinues) {
   put("plain", "z.so");
   put("foreign", "foreign.so");
   put("small_module", "small.so");
@@ -195,7 +195,7 @@ TEST_F(LoaderTest, CutOffLibrariesAreRefusedWhereverTheyEnd) {
   }
 }
 
-TEST_F(LoaderTest, TheFirstOfTheSameIdCounts) {
+TEST_F(LoaderTest, OfPluginsWithTheSameIdTheFirstIsKept) {
   put("plain", "one/a.so");
   put("plain", "two/a.so");
   put("newer_minor", "two/b.so");
@@ -209,7 +209,7 @@ TEST_F(LoaderTest, TheFirstOfTheSameIdCounts) {
             std::string::npos);
 }
 
-TEST_F(LoaderTest, LooksWhereItSaysAndNowhereElse) {
+TEST_F(LoaderTest, OnlyTheNamedFoldersAreSearched) {
   put("plain", "mine/a.so");
   setenv("TALWEG_PLUGIN_PATH", file("mine").c_str(), 1);
   const test::Loader loader(talweg_loader_open(nullptr));
@@ -224,7 +224,7 @@ TEST_F(LoaderTest, LooksWhereItSaysAndNowhereElse) {
   EXPECT_EQ(talweg_loader_find(without.get(), "toy.count"), nullptr);
 }
 
-TEST_F(LoaderTest, NothingIsNothing) {
+TEST_F(LoaderTest, NullArgumentsGiveNullOrEmptyResults) {
   EXPECT_EQ(talweg_loader_count(nullptr), 0U);
   EXPECT_EQ(talweg_loader_plugin(nullptr, 0), nullptr);
   EXPECT_EQ(talweg_loader_find(nullptr, "a"), nullptr);

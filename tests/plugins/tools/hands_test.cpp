@@ -19,7 +19,7 @@ const Subject& figure() {
   return subject;
 }
 
-TEST(Hands, AreSmoothedAlikeHoweverTheyAreSampled) {
+TEST(Hands, TheSmoothedStrokeDoesNotDependOnItsSampling) {
   const std::vector<HandRun> runs = hand_runs(figure(), 2, 3);
   ASSERT_EQ(runs.size(), 22U);
   for (const HandRun& run : runs) {
@@ -30,7 +30,7 @@ TEST(Hands, AreSmoothedAlikeHoweverTheyAreSampled) {
   }
 }
 
-TEST(Hands, DrawWhatTheyAreAskedFor) {
+TEST(Hands, AStrokeHasTheRequestedTremblingAndSampling) {
   const SurfaceMesh& mesh = figure().mesh->mesh();
   scenes::Hand hand;
   hand.length = 30;
@@ -57,7 +57,7 @@ TEST(Hands, DrawWhatTheyAreAskedFor) {
   EXPECT_LT(farthest, 2.2 * h);
 }
 
-TEST(Hands, MayGoRoundAPoint) {
+TEST(Hands, AStrokeMayGoAroundAPoint) {
   scenes::Hand hand;
   hand.radius = 8;
   hand.over = 3;

@@ -50,7 +50,7 @@ TEST(PaperMeshes, TheSpheresFacesLookOutwards) {
   EXPECT_GT(volume, 0.97 * 4 * std::numbers::pi / 3);
 }
 
-TEST(PaperMeshes, ABumpyBallOpensAndStaysTheSame) {
+TEST(PaperMeshes, ABumpyBallIsASurfaceAndReproducible) {
   const MeshLists once = bumpy_ball(9, 4), again = bumpy_ball(9, 4), other = bumpy_ball(9, 5);
   EXPECT_EQ(euler_number(SurfaceMesh::open(once).surface()), 2);
   EXPECT_EQ(once.points, again.points);
@@ -78,7 +78,7 @@ TEST(PaperMeshes, RefiningKeepsSurfaceAreaAndTopology) {
   EXPECT_EQ(none.triangles, coarse.triangles);
 }
 
-TEST(PaperDrawings, ATourHasTheWishedLengthAndRunsAlongEdges) {
+TEST(PaperDrawings, ATourHasTheRequestedLengthAndRunsAlongEdges) {
   const auto mesh = OpenedMesh::open(bumpy_ball(20, 1));
   const SurfaceCurve curve = tour(*mesh, 150, 3);
   EXPECT_FALSE(curve.closed);

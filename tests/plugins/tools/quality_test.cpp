@@ -54,7 +54,7 @@ void expect_edge_path(const Surface& surface, const std::vector<VertexId>& path,
   }
 }
 
-TEST(LevelSets, OfHeightAreCirclesOfLatitude) {
+TEST(LevelSets, LevelSetsOfHeightAreCirclesOfLatitude) {
   const SurfaceMesh mesh = SurfaceMesh::open(paper::sphere(24));
   const double edge = longest_edge(mesh.surface());
   for (const double height : {-0.8, 0.013, 0.41}) {
@@ -79,7 +79,7 @@ TEST(LevelSets, OfHeightAreCirclesOfLatitude) {
   }
 }
 
-TEST(LevelSets, EveryLoopOfAFunctionIsFoundTheLongestFirst) {
+TEST(LevelSets, EveryLoopIsFoundAndTheLongestComesFirst) {
   const SurfaceMesh mesh = SurfaceMesh::open(paper::sphere(24));
   const Loops two =
       closed_level_sets(mesh, [](const Point& p) { return (p.z() - 0.31) * (p.z() + 0.83); });
@@ -93,7 +93,7 @@ TEST(LevelSets, EveryLoopOfAFunctionIsFoundTheLongestFirst) {
   EXPECT_TRUE(closed_level_sets(mesh, [](const Point&) { return -1.0; }).empty());
 }
 
-TEST(LevelSets, ThatEndAtTheBoundaryAreLeftOut) {
+TEST(LevelSets, CurvesThatEndAtTheBoundaryAreLeftOut) {
   const SurfaceMesh disc = SurfaceMesh::open(paper::disc(12));
   EXPECT_TRUE(closed_level_sets(disc, [](const Point& p) { return p.x() - 0.011; }).empty());
   EXPECT_EQ(closed_level_sets(disc, [](const Point& p) { return 0.53 - p.norm(); }).size(), 1U);
@@ -126,7 +126,7 @@ TEST(Drawings, DependOnTheSeedAlone) {
   EXPECT_NE(paths(1), paths(2));
 }
 
-TEST(Drawings, AreAsManyAsThereIsRoomFor) {
+TEST(Drawings, SmallMeshesHaveFewerDrawings) {
   const auto tiny = OpenedMesh::open(paper::sphere(1));
   for (const NamedPath& drawing : generated_drawings(*tiny, 1)) {
     EXPECT_NO_THROW(check_drawn(tiny->surface(), drawing.curve(tiny->surface())));
@@ -138,7 +138,7 @@ class StoredDrawings : public TemporaryFolder {
   void store(const char* name, const char* text) const { std::ofstream(file(name)) << text; }
 };
 
-TEST_F(StoredDrawings, AreThoseOfTheMesh) {
+TEST_F(StoredDrawings, AStoredDrawingIsReadForItsMesh) {
   store("ball.txt", "1\n2\n3\n");
   store("ball_ring.txt", "4\n5\n6\n7\n4\n");
   store("balloon.txt", "1\n2\n");
@@ -153,7 +153,7 @@ TEST_F(StoredDrawings, AreThoseOfTheMesh) {
   EXPECT_TRUE(stored_drawings(file("absent"), "ball").empty());
 }
 
-TEST_F(StoredDrawings, ThatAreNoNumbersAreRefused) {
+TEST_F(StoredDrawings, FilesWithOtherTextThanNumbersAreRefused) {
   store("ball.txt", "1\ntwo\n");
   EXPECT_THROW(stored_drawings(file(""), "ball"), Error);
 }
@@ -194,12 +194,12 @@ const Goal& goal(const std::vector<Goal>& goals, const std::string& words) {
   return goals.front();
 }
 
-TEST(Run, ALoopsRatioLeavesOutWhatItMustTurn) {
+TEST(Run, ALoopsRatioLeavesOutItsLeastTurn) {
   EXPECT_DOUBLE_EQ(run_of("a", 1, 100, 5).ratio(), 0.05);
   EXPECT_DOUBLE_EQ(run_of("a", 1, 106, 11, 6).ratio(), 0.05);
 }
 
-TEST(Goals, OfCurvatureTellJaggedDrawingsFromAll) {
+TEST(Goals, CurvatureGoalsCountJaggedDrawingsSeparately) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 1), run_of("a", 1, 100, 5),
                                  run_of("a", 1, 100, 30), run_of("a", 1, 24, 24)};
   std::vector<Goal> reached = goals(runs, {}, {});
@@ -219,7 +219,7 @@ TEST(Goals, OfCurvatureTellJaggedDrawingsFromAll) {
   EXPECT_FALSE(goal(reached, "collapse").met);
 }
 
-TEST(Goals, OfSpreadLookAtTauOne) {
+TEST(Goals, SpreadGoalsUseTauOne) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 1), run_of("a", 1, 100, 5),
                                  run_of("a", 1, 100, 8), run_of("a", 4, 100, 99)};
   runs[2].window_turning = runs[3].window_turning = 0.5;  // 28.6 degrees
@@ -233,7 +233,7 @@ TEST(Goals, OfSpreadLookAtTauOne) {
   EXPECT_TRUE(goal(reached, "largest turn at one point, worst").met);
 }
 
-TEST(Goals, OfClosenessLookAtTauOne) {
+TEST(Goals, ClosenessGoalsUseTauOne) {
   std::vector<quality::Run> runs;
   for (int i = 0; i < 40; ++i) {
     runs.push_back(run_of("a", 1, 100, 5));
@@ -251,7 +251,7 @@ TEST(Goals, OfClosenessLookAtTauOne) {
   EXPECT_FALSE(goal(goals(runs, {}, {}), "both directions").met);
 }
 
-TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
+TEST(Goals, SteadinessGoalsCountStepsAndWorstCases) {
   Sweep calm{"a", "open 9"}, jumpy{"b", "open 9"};
   calm.steps = jumpy.steps = 50;
   calm.rises = 1;
@@ -273,7 +273,7 @@ TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
   EXPECT_TRUE(goals({}, {}, {}).empty());
 }
 
-TEST(Goals, OfClicksAreThoseOfTheirRuns) {
+TEST(Goals, ClickGoalsUseTheRunsOfClicks) {
   quality::ClickedRun good{"a", "open 90", 4, 20, 0, 0.05, 0.1, 0.05, 0.2, 1.02, 0.03, 5, false};
   quality::ClickedRun far = good;
   far.mesh = "b";
@@ -350,7 +350,7 @@ TEST(Tables, CommaSeparatedValuesHaveAsManyNamesAsNumbers) {
             std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), ','));
 }
 
-TEST(BoundedRuns, AreThoseThatStrayedAtTauTwo) {
+TEST(BoundedRuns, AreTheRunsThatStrayedAtTauTwo) {
   Subject subject{"ball", paper::bumpy_ball(20, 2), nullptr, {}};
   subject.mesh = OpenedMesh::open(subject.lists);
   subject.drawings = generated_drawings(*subject.mesh, 1);
@@ -412,7 +412,7 @@ TEST_F(QualityProgram, MeasuresAFolderOfMeshes) {
   }());
 }
 
-TEST_F(QualityProgram, RefusesWhatItDoesNotKnow) {
+TEST_F(QualityProgram, UnknownArgumentsAreRefused) {
   EXPECT_EQ(run("out --parts everything"), 1);
   EXPECT_EQ(run(""), 1);
   EXPECT_NE(bytes_of(file("err.log")).find("OUTDIR"), std::string::npos);
