@@ -1,5 +1,5 @@
-// Hosts against plugins that give nonsense: an error that names the plugin and what it gave,
-// nothing of it kept.
+// Invalid results of a plugin are errors in hosts: the error names the plugin and the result, and
+// the host keeps no result of the run.
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -16,7 +16,7 @@
 namespace talweg::test {
 namespace {
 
-/// What is wrong, and words of the sentence that must tell it.
+/// The faults of the plugin, and the words that the error must have.
 const std::map<std::string, std::string> kFaults = {
     {"nan_position", "positions has a number in row 1 that is not finite"},
     {"infinite_position", "positions has a number in row 2 that is not finite"},

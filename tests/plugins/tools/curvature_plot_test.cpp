@@ -1,4 +1,4 @@
-// The plot of curvature along curves: numbers from the library, lines where they belong.
+// The plot of curvature along curves has the numbers of the library, at the right pixels.
 #include "tools/picture/curvature_plot.hpp"
 
 #include <cmath>
@@ -32,7 +32,7 @@ bool is_blue(const Image& image, std::size_t x, std::size_t y) {
   return p[2] > 150 && p[0] < 60 && p[1] < 60;
 }
 
-/// The rows of a column that are blue: their mean, or -1.
+/// The mean of the blue rows of a column; -1 if no row is blue.
 double blue_row(const Image& image, std::size_t x) {
   double sum = 0, count = 0;
   for (std::size_t y = 0; y < image.height; ++y) {
@@ -129,7 +129,7 @@ TEST(CurvaturePlot, BackgroundLinesAreClippedAndDoNotWidenTheRange) {
     return draw_curvature(only, 600, 200);
   }();
   EXPECT_EQ(blue_row(alone, 300), blue_row(image, 300));
-  for (std::size_t x = 80; x < 300; ++x) {  // above the frame there is nothing of it
+  for (std::size_t x = 80; x < 300; ++x) {  // no pixel above the frame is blue
     const std::uint8_t* p = image.pixel(x, 32);
     EXPECT_LT(std::abs(p[0] - p[1]), 8) << x;
   }
@@ -170,7 +170,7 @@ TEST(StretchesIn, AreThePartsOfACurveWithinABall) {
   EXPECT_TRUE(stretches_in({}, {3, 5, 0}, 1).empty());
 }
 
-/// A flat sheet of n by n squares of side 1, each in two.
+/// A flat sheet of n by n squares of side 1, each of two triangles.
 MeshLists sheet(std::uint32_t n) {
   MeshLists mesh;
   for (std::uint32_t j = 0; j <= n; ++j) {
@@ -213,7 +213,7 @@ TEST(TurningOf, ACircleHasConstantCurvature) {
 
 TEST(TurningOf, AMeshThatIsNoSurfaceIsRepaired) {
   MeshLists mesh = sheet(4);
-  mesh.triangles.push_back(mesh.triangles[3]);  // twice
+  mesh.triangles.push_back(mesh.triangles[3]);  // a repeated triangle
   std::swap(mesh.triangles[20][0], mesh.triangles[20][1]);
   CurveInput line;
   line.points = std::vector<VertexId>{VertexId{6U}, VertexId{7U}, VertexId{8U}};
@@ -228,7 +228,7 @@ TEST(DetailAt, TheViewIsFromAboveUnlessAPartIsInTheWay) {
   const Detail above = detail_at(scene, {5, 5, 0}, 2);
   EXPECT_EQ(above.normal, Point(0, 0, 1));
   EXPECT_EQ(above.radius, 2);
-  // A lid over the curve, but only there.
+  // A lid hides the curve from above, and no more.
   const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
   for (const Point& p : {Point(3, 4, 1.5), Point(7, 4, 1.5), Point(7, 6, 1.5), Point(3, 6, 1.5)}) {
     scene.mesh.points.push_back(p);

@@ -1,4 +1,4 @@
-// Hands on a bumpy mesh: what a stroke becomes must not depend on the device.
+// Strokes on a bumpy mesh: the smoothed stroke must not depend on the device that drew it.
 #include "tools/scenes/hands.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Hands, AStrokeHasTheRequestedTremblingAndSampling) {
   scenes::Sampling sampling;
   sampling.step = 1;
   EXPECT_EQ(stroke.sampled(sampling).size(), 31U);
-  // The same hand, whatever samples it: a sample at 12 edges lies where it lies.
+  // The way of the hand does not depend on its sampling: samples at 12 edges agree.
   const Point at = stroke.sampled(sampling)[12];
   sampling.step = 0.5;
   EXPECT_NEAR((stroke.sampled(sampling)[24] - at).norm(), 0, 1e-9 * h);

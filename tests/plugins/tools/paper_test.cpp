@@ -1,4 +1,4 @@
-// The meshes and drawings of ./run paper and of the benchmarks.
+// The meshes and drawings of ./run paper and of the benchmarks have the stated properties.
 #include <cmath>
 #include <numbers>
 
@@ -45,7 +45,7 @@ TEST(PaperMeshes, TheSpheresFacesLookOutwards) {
   for (const Triangle& t : mesh.triangles) {
     volume += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6;
   }
-  // An inscribed polyhedron has less than the ball, by O(edge²).
+  // The volume of an inscribed polyhedron is smaller than the ball's by O(edge²).
   EXPECT_LT(volume, 4 * std::numbers::pi / 3);
   EXPECT_GT(volume, 0.97 * 4 * std::numbers::pi / 3);
 }

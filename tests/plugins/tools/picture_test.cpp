@@ -78,8 +78,8 @@ TEST(SampleBuffer, ATriangleCoversTheSamplesWithCentresInsideIt) {
   buffer.draw_triangle(7, {0, 0, 1}, {10, 0, 1}, {0, 10, 1});
   for (std::size_t y = 0; y < 10; ++y) {
     for (std::size_t x = 0; x < 10; ++x) {
-      const double sum = double(x) + double(y) + 1;  // of the centre's coordinates
-      if (sum == 10) continue;                       // on the edge itself
+      const double sum = double(x) + double(y) + 1;  // sum of the coordinates of the centre
+      if (sum == 10) continue;                       // the centre is on the edge
       EXPECT_EQ(buffer.id(x, y), sum < 10 ? 7U : SampleBuffer::kNothing) << x << ' ' << y;
     }
   }
@@ -154,14 +154,14 @@ TEST(Render, ACurveOnTheSurfaceHasItsFullWidth) {
   std::size_t width = 0;
   for (std::size_t y = 0; y < 100; ++y) width += is_red(image, 50, y) ? 1U : 0U;
   EXPECT_EQ(width, 6U);
-  EXPECT_FALSE(is_red(image, 15, 50));  // beyond its end
+  EXPECT_FALSE(is_red(image, 15, 50));  // beyond the end of the line
 }
 
 TEST(Render, ACurveBehindTheSurfaceIsHidden) {
   Scene scene = square_scene();
   scene.curves = {red_line({-0.5, 0, -0.5}, {0.5, 0, -0.5}, 6)};
   EXPECT_EQ(count_red(render(scene, plain())), 0U);
-  scene.panels[0].view = -Point::UnitZ();  // from the other side it is in front
+  scene.panels[0].view = -Point::UnitZ();  // seen from the other side, the curve is in front
   EXPECT_GT(count_red(render(scene, plain())), 100U);
 }
 

@@ -27,7 +27,7 @@ std::size_t boundary_edges(const Surface& surface) {
   return count;
 }
 
-// Six times the volume that a closed mesh encloses; positive when normals point outwards.
+// Six times the volume inside a closed mesh; positive if the normals point outwards.
 double signed_volume(const MeshLists& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -45,7 +45,8 @@ const std::vector<DemoScene>& scenes() {
   return all;
 }
 
-// Manifold and oriented (Surface refuses what is not), in one piece, without slivers.
+// Expects a mesh that is manifold and oriented (Surface refuses others), in one piece, without
+// slivers.
 void expect_clean(const MeshLists& mesh) {
   const Surface surface = surface_of(mesh);
   EXPECT_EQ(components_of(surface).count, 1U);
