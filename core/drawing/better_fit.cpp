@@ -12,13 +12,13 @@ namespace talweg {
 namespace {
 
 constexpr std::size_t kMostSamples = 32;
-constexpr double kNearInEdges = 0.25;  ///< positions are not far if they lie this near
-constexpr double kOnInEdges = 1;       ///< and on the mesh if they lie this near then
-constexpr double kTimesBetter = 10;
-constexpr double kMostTimes = 1000;  ///< that are told
-/// A drawing lies away from a mesh beyond this part of its diagonal, as snap() has it.
+constexpr double kNearInEdges = 0.25;  ///< a mean distance up to which no better fit is sought
+constexpr double kOnInEdges = 1;       ///< the largest mean distance of a better fit
+constexpr double kTimesBetter = 10;    ///< the least improvement of a better fit
+constexpr double kMostTimes = 1000;    ///< larger improvements are not told exactly
+/// The mean distance, as part of the mesh's diagonal, beyond which moves are tried; as in snap().
 constexpr double kAwayOfSize = 0.125;
-/// Steps of round numbers are at least this part of the diagonal, and these are the most.
+/// The least step of a round move, as part of the mesh's diagonal.
 constexpr double kLeastStepOfSize = 0.05;
 constexpr int kMostSteps = 8;
 
@@ -37,12 +37,12 @@ Box box_of(std::span<const Point> points) {
   return box;
 }
 
-/// What would be done to positions: they are turned or scaled, then moved.
+/// A change of positions: a turn or a scaling, then a shift.
 struct Change {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Point shift = Point::Zero();
   std::string words;
-  double scale = 1;  ///< of `turn`
+  double scale = 1;  ///< the factor by which `turn` scales
 };
 
 std::string numbers(const Point& p) {
@@ -53,7 +53,7 @@ Change moved_by(const Point& shift, const char* what) {
   return {Eigen::Matrix3d::Identity(), shift, fmt::format("moved by {}{}", numbers(shift), what)};
 }
 
-/// Moves by round numbers that bring the centre of positions near that of the mesh.
+/// Adds moves by round numbers that bring the centre of the positions near the mesh's centre.
 void add_round_moves(const Point& way, double size, std::vector<Change>& changes) {
   double step = std::pow(10, std::floor(std::log10(way.cwiseAbs().maxCoeff())));
   for (int k = 0; k < kMostSteps && step >= kLeastStepOfSize * size; ++k, step /= 10) {
@@ -62,7 +62,8 @@ void add_round_moves(const Point& way, double size, std::vector<Change>& changes
   }
 }
 
-/// Other axes: RAS and LPS; z up in Blender, y up in glTF and in OBJ files that Blender exports.
+/// Turns between the axes of programs: RAS and LPS; z up (Blender) and y up (glTF, and the OBJ
+/// files that Blender exports).
 std::vector<Change> turns() {
   Eigen::Matrix3d patient = Eigen::Matrix3d::Identity(), up;
   patient(0, 0) = patient(1, 1) = -1;
@@ -91,7 +92,7 @@ std::vector<Change> changes_for(const Box& mesh, const Box& drawing, double mean
   return changes;
 }
 
-/// The mean distance to the mesh; infinite where positions are too far away to be measured.
+/// The mean distance to the mesh; infinite if a position is too far away to be measured.
 double mean_distance(const ClosestPoint& closest, const std::vector<Point>& positions) {
   double sum = 0;
   try {

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kBeyondInEdges = 1e-4;
 constexpr double kAlongOfAway = 4;
-constexpr int kLeavingHalvings = 50;  // to the rounding of a double
+constexpr int kLeavingHalvings = 50;  // the precision of a double
 
-/// Walks a stroke from one of its ends to where it is on the mesh.
+/// Walks along a stroke from one of its ends to its first sample on the mesh.
 class WalkIn {
  public:
   WalkIn(const SurfaceMesh& mesh, const ClosestPoint& closest, std::span<const Point> samples,
@@ -48,8 +48,8 @@ class WalkIn {
   [[nodiscard]] bool is_beyond(const ClosestPoint::Result& nearest) const {
     return is_at_border(nearest) && nearest.distance > kBeyondInEdges * mesh_->mean_edge_length();
   }
-  /// The last place on the way in from a sample beyond the border that lies there, too; or the
-  /// sample inside if it is on the border.
+  /// The place between two samples at which the stroke crosses the border, by bisection: `outside`
+  /// is beyond the border, `inside` is not. If `inside` lies on the border, the place is `inside`.
   [[nodiscard]] Point leaves(Point inside, Point outside) const {
     if (is_at_border(closest_->nearest(inside))) return inside;
     for (int k = 0; k < kLeavingHalvings; ++k) {

@@ -14,7 +14,7 @@ namespace {
 using Letter = long long;
 using Sequence = std::vector<Letter>;
 
-/// Sums in ascending order, so that the order of the terms does not change a bit.
+/// The sum of terms in ascending order: no order of the terms changes a bit of the sum.
 double sum_of(std::vector<double> terms) {
   std::sort(terms.begin(), terms.end());
   return std::accumulate(terms.begin(), terms.end(), 0.0);
@@ -31,7 +31,7 @@ std::vector<std::array<double, 3>> places_of(const SurfaceMesh& mesh,
   return places;
 }
 
-/// Where the lexicographically least rotation begins.
+/// The start of the lexicographically least rotation.
 std::size_t least_rotation(const Sequence& s) {
   const std::size_t n = s.size();
   std::size_t i = 0, j = 1, same = 0;
@@ -52,7 +52,7 @@ std::size_t least_rotation(const Sequence& s) {
 /// The smallest rotation that maps a sequence to itself.
 std::size_t period_of(const Sequence& s) {
   const std::size_t n = s.size();
-  std::vector<std::size_t> border(n + 1, 0);  // border length of the first k letters
+  std::vector<std::size_t> border(n + 1, 0);  // border[k]: border length of the first k letters
   for (std::size_t i = 1, k = 0; i < n; ++i) {
     while (k > 0 && s[i] != s[k]) k = border[k];
     border[i + 1] = k += s[i] == s[k] ? 1 : 0;
@@ -79,11 +79,13 @@ Sequence ranks_of(const std::vector<Key>& keys) {
   return ranks;
 }
 
-/// The starts that are still equally good in one direction: first, first + period, ...
+/// The starts of a closed curve that no sequence has told apart yet, in one direction: first,
+/// first + period, ...
 struct Starts {
   std::size_t first = 0, period = 1;
 
-  /// Keeps the starts from which this sequence is smallest, and returns the sequence from there.
+  /// Keeps the starts with the lexicographically least rotation of the sequence, and returns that
+  /// rotation.
   Sequence choose(const Sequence& letters) {
     const Sequence turned = rotated(letters, first);
     std::vector<Sequence> blocks;
@@ -99,8 +101,8 @@ struct Starts {
   }
 };
 
-/// The sequences by which curves are compared, one level after the other. Letters belong to points
-/// or to segments.
+/// The sequences by which the directions and starts of a curve are compared: lengths of segments,
+/// then turns at points, then positions of points. A letter belongs to a point or a segment.
 class Comparison {
  public:
   Comparison(const SurfaceMesh& mesh, const SurfaceCurve& curve)
@@ -108,14 +110,14 @@ class Comparison {
 
   static constexpr int kLevels = 3;
 
-  /// The sequence forwards, and as it is for the reversed curve.
+  /// The sequence of the curve, and the sequence of the reversed curve.
   [[nodiscard]] std::array<Sequence, 2> letters(int level) const {
     Sequence forward = level == 0 ? lengths() : level == 1 ? turns() : positions();
     Sequence backward(forward.rbegin(), forward.rend());
     if (level == 1) {
       for (Letter& turn : backward) turn = -turn;
     }
-    // In the reversed curve the first segment is the one before the last point.
+    // The first segment of the reversed curve ends at the last point but one.
     if (level == 0 && closed_) std::rotate(backward.begin(), backward.begin() + 1, backward.end());
     return {forward, backward};
   }
@@ -125,7 +127,7 @@ class Comparison {
     return points_[i % points_.size()];
   }
 
-  /// One letter per segment.
+  /// The lengths of the segments, as billionths of the curve's length.
   [[nodiscard]] Sequence lengths() const {
     std::vector<double> own;
     for (std::size_t i = 0; i + (closed_ ? 0 : 1) < points_.size(); ++i) {
@@ -140,8 +142,8 @@ class Comparison {
     return result;
   }
 
-  /// The mean of the turns seen from both directions, so that the reversed curve has the negative
-  /// value; 0 where the curve turns back, which is neither to the left nor to the right.
+  /// The turns at the points, in billionths of a radian: the mean of the turns in both directions,
+  /// so that the reversed curve has the negative values. The turn of a curve that turns back is 0.
   [[nodiscard]] Sequence turns() const {
     const std::size_t n = points_.size();
     Sequence result(n, 0);

@@ -8,7 +8,7 @@
 namespace talweg {
 namespace {
 
-/// True when a, b, c are the corners of one triangle.
+/// Whether a, b and c are the corners of one triangle.
 bool in_one_triangle(const Surface& surface, VertexId a, VertexId b, VertexId c) {
   if (a == c) return false;
   const HalfedgeId ab = surface.find_halfedge(a, b);
@@ -36,7 +36,7 @@ class Capper {
   std::vector<VertexId> pinned_;
 };
 
-/// Drops the inner corners of the path from front to back, but keeps `at_least` vertices.
+/// Drops inner corners of the path, from front to back, but keeps `at_least` vertices.
 void cap_inside(const Capper& capper, std::vector<VertexId>& path, std::size_t at_least) {
   std::size_t kept = 0;
   std::size_t total = path.size();
@@ -50,7 +50,7 @@ void cap_inside(const Capper& capper, std::vector<VertexId>& path, std::size_t a
   path.resize(kept);
 }
 
-/// Drops the corners at the two ends of a closed path until none is left there.
+/// Drops corners where a closed path begins and ends, until there are none.
 void cap_ends(const Capper& capper, std::vector<VertexId>& path) {
   std::size_t front = 0;
   while (path.size() - front > 3) {

@@ -5,7 +5,7 @@
 namespace talweg {
 namespace {
 
-/// The mean over the edges of faces in which the points lie.
+/// The mean length of the edges of the faces in which the points lie.
 double edge_length_near(const SurfaceMesh& mesh, std::span<const SurfacePoint> points) {
   const Surface& surface = mesh.surface();
   double sum = 0;

@@ -65,7 +65,7 @@ class ListedFaces {
   }
 
   std::span<const Triangle> triangles_;
-  std::vector<std::size_t> ends_;  // of the faces at each vertex; then where these begin
+  std::vector<std::size_t> ends_;  // per vertex, the end of its faces, later their beginning
   std::vector<FaceId> faces_;
 };
 
@@ -110,7 +110,7 @@ FaceId first_face(const Faces& faces, const CornerCoordinates& at) {
   return best;
 }
 
-/// The point in the face of these corners.
+/// The point in the face with these corners.
 FaceCoordinates placed(FaceId face, const std::array<VertexId, 3>& corners,
                        const CornerCoordinates& at) {
   const double sum = at.weights[0] + at.weights[1] + at.weights[2];
@@ -118,7 +118,7 @@ FaceCoordinates placed(FaceId face, const std::array<VertexId, 3>& corners,
   FaceCoordinates found{face};
   for (std::size_t c = 0; c < 3; ++c) {
     const auto to = std::find(corners.begin(), corners.end(), at.corners[c]);
-    if (to == corners.end()) continue;  // its weight is 0
+    if (to == corners.end()) continue;  // the corner's weight is 0
     found.barycentric[static_cast<std::size_t>(to - corners.begin())] +=
         exact ? at.weights[c] : at.weights[c] / sum;
   }

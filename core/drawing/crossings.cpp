@@ -21,7 +21,7 @@ double orient(const std::array<double, 3>& a, const std::array<double, 3>& b,
 }
 
 bool cross(const FaceSegment& p, const FaceSegment& q) {
-  constexpr double kTouch = 1e-12;  // part of the face
+  constexpr double kTouch = 1e-12;  // as part of the face's area
   const auto apart = [](double a, double b) {
     return (a > kTouch && b < -kTouch) || (a < -kTouch && b > kTouch);
   };
@@ -29,12 +29,12 @@ bool cross(const FaceSegment& p, const FaceSegment& q) {
          apart(orient(q.from, q.to, p.from), orient(q.from, q.to, p.to));
 }
 
-/// Boxes around segments in the plane of two barycentrics, wider than what cross() may take for a
-/// crossing. They lie along the segments' mean direction, so that long ones beside each other do
-/// not overlap.
+/// Boxes around segments in the plane of two barycentrics, wider by more than the tolerance of
+/// cross(). The boxes' axes follow the mean direction of the segments, so that boxes of long
+/// segments beside each other do not overlap.
 std::vector<SpaceBox> boxes_of(std::span<const FaceSegment> segments) {
   constexpr double kWider = 1e-9;
-  double cosines = 0, sines = 0;  // of twice the angle: directions have no sign
+  double cosines = 0, sines = 0;  // sums for twice the angle, since directions have no sign
   for (const FaceSegment& s : segments) {
     const double x = s.to[0] - s.from[0], y = s.to[1] - s.from[1];
     cosines += x * x - y * y;
@@ -54,8 +54,8 @@ std::vector<SpaceBox> boxes_of(std::span<const FaceSegment> segments) {
   return boxes;
 }
 
-/// Calls found() with each two segments of a face that cross, the first of them among the first
-/// `own`; many are looked up in a tree.
+/// Calls found() for each pair of crossing segments of a face. The first segment of a pair is among
+/// the first `own` segments. If there are many segments, a tree of boxes finds the pairs.
 template <class Found>
 void find_crossings(std::span<const FaceSegment> segments, std::size_t own, const Found& found) {
   constexpr std::size_t kMany = 32;
@@ -78,7 +78,8 @@ void find_crossings(std::span<const FaceSegment> segments, std::size_t own, cons
   }
 }
 
-/// Where a segment lies: most faces have one only, for which no more needs to be known.
+/// A segment and its face, without coordinates: most faces have only one segment, which crosses no
+/// other.
 struct SegmentPlace {
   FaceId face;
   std::size_t curve = 0, number = 0;
@@ -119,9 +120,9 @@ FaceSegment segment_at(const Surface& surface, const SurfaceCurve& curve, const 
   return {at.curve, at.number, in_face(at.number), in_face(at.number + 1)};
 }
 
-/// One path at a vertex that it passes, followed in its own direction or against it.
+/// A path at one of its vertices, followed in its own direction or against it.
 struct Passage {
-  std::size_t path = 0, at = 0;  // the vertex before halfedge number `at`
+  std::size_t path = 0, at = 0;  // the vertex is the tail of halfedge number `at`
   bool against = false;
 };
 
@@ -130,8 +131,8 @@ class Paths {
   Paths(const SignpostTriangulation& triangulation, std::span<const EdgePath> paths)
       : triangulation_(triangulation), paths_(paths) {}
 
-  /// The halfedges from the vertex to the next vertex of the path and to the previous one; invalid
-  /// at an end.
+  /// The halfedges from the vertex to the next and to the previous vertex of the path; invalid at
+  /// an end.
   [[nodiscard]] HalfedgeId onward(const Passage& p) const {
     return p.against ? before(p) : after(p);
   }
@@ -142,7 +143,7 @@ class Paths {
     p.at = (p.at + (p.against ? vertices - 1 : 1)) % vertices;
     return p;
   }
-  /// Whether h leaves the passage's vertex on the left of the path there.
+  /// Whether h, which leaves the passage's vertex, is on the left of the path.
   [[nodiscard]] bool is_left(const Passage& p, HalfedgeId h) const {
     const HalfedgeId stop = back(p);
     for (HalfedgeId k = turned(onward(p)); k != stop; k = turned(k)) {
@@ -150,7 +151,7 @@ class Paths {
     }
     return false;
   }
-  /// The halfedges that leave the passage's vertex, counted counterclockwise.
+  /// The halfedges that leave the passage's vertex, numbered counterclockwise.
   [[nodiscard]] std::map<HalfedgeId, std::size_t> turns_around(const Passage& p) const {
     const HalfedgeId first = onward(p).valid() ? onward(p) : back(p);
     std::map<HalfedgeId, std::size_t> turns;
@@ -161,8 +162,8 @@ class Paths {
     } while (h != first);
     return turns;
   }
-  /// Whether the paths, which come from different vertices, change sides at this vertex or at the
-  /// end of a common stretch.
+  /// Whether path b crosses path a at this vertex, or along the common stretch that begins here: b
+  /// leaves a on the other side than it came from. False if both come over the same edge.
   [[nodiscard]] bool cross_from(Passage a, Passage b) const {
     if (!back(a).valid() || !back(b).valid() || back(a) == back(b)) return false;
     if (!onward(a).valid() || onward(a) == back(b) || back(a) == onward(b)) return false;
@@ -173,7 +174,7 @@ class Paths {
       a = next(a);
       b = next(b);
     }
-    if (onward(a) == back(a) || onward(b) == back(b)) return false;  // one turns back
+    if (onward(a) == back(a) || onward(b) == back(b)) return false;  // a path turns back
     return is_left(a, onward(b)) != left;
   }
 
@@ -187,7 +188,7 @@ class Paths {
     if (p.at > 0) return twin(h[p.at - 1]);
     return paths_[p.path].closed() ? twin(h.back()) : HalfedgeId{};
   }
-  /// The next halfedge counterclockwise; at a boundary it is the one at the other end of the fan.
+  /// The next halfedge counterclockwise; after the last halfedge of a boundary vertex, the first.
   [[nodiscard]] HalfedgeId turned(HalfedgeId h) const {
     if (triangulation_.has_face(h)) return triangulation_.turn_ccw(h);
     for (HalfedgeId cw = triangulation_.turn_cw(h); cw.valid(); cw = triangulation_.turn_cw(cw)) {
@@ -200,24 +201,24 @@ class Paths {
   std::span<const EdgePath> paths_;
 };
 
-/// Passages of one vertex that come over the same edge and leave over the same: what they have
-/// before and after them alone tells whether they cross those that use none of their edges.
+/// The passages of one vertex that come over the same edge `back` and leave over the same edge
+/// `onward`. The edges alone tell whether the passages of two classes without a common edge cross.
 struct PassageClass {
   HalfedgeId back, onward;
-  std::size_t back_turn = 0, onward_turn = 0;  // counterclockwise, from any edge
+  std::size_t back_turn = 0, onward_turn = 0;  // numbers of the edges, as in turns_around()
   std::vector<std::uint32_t> members = {};     // ascending
 
   [[nodiscard]] bool is_left(std::size_t turn) const {
     const bool after = turn > onward_turn, before = turn < back_turn;
     return onward_turn < back_turn ? after && before : after || before;
   }
-  /// Of one that uses none of its edges.
+  /// Whether the passages of both classes cross. The classes must have no common edge.
   [[nodiscard]] bool crosses(const PassageClass& other) const {
     return is_left(other.back_turn) != is_left(other.onward_turn);
   }
 };
 
-/// Counts the crossings of paths at the vertices that they pass, vertex by vertex.
+/// Counts the crossings of paths, vertex by vertex.
 class ContactCounter {
  public:
   ContactCounter(const SignpostTriangulation& triangulation, std::span<const EdgePath> paths)
@@ -226,7 +227,7 @@ class ContactCounter {
     result_.tangled.assign(paths.size(), false);
   }
 
-  /// All passages of a vertex, in the order of the paths.
+  /// Counts the crossings at a vertex from all its passages, in the order of the paths.
   void count(std::span<const Passage> passages) {
     passages_ = passages;
     for (std::size_t i = 0; i + 1 < passages.size(); ++i) {
@@ -241,7 +242,7 @@ class ContactCounter {
   PathContacts result() && { return std::move(result_); }
 
  private:
-  /// Ends cross nothing.
+  /// Sorts the passages into classes, without the ends of paths, which cross no path.
   void set_classes() {
     classes_.clear();
     const std::map<HalfedgeId, std::size_t> turns = course_.turns_around(passages_.front());
@@ -265,14 +266,15 @@ class ContactCounter {
     }
   }
 
-  /// Whether they cross shows at the end of what they have in common.
+  /// Compares passages of classes with a common edge one by one: the end of the common stretch
+  /// shows whether the paths cross.
   void compare_all(const PassageClass& x, const PassageClass& y) {
     for (const std::uint32_t i : x.members) {
       for (const std::uint32_t k : y.members) {
         const Passage a = passages_[std::min(i, k)];
         Passage b = passages_[std::max(i, k)];
         bool crossing = course_.cross_from(a, b);
-        b.against = true;  // for a common stretch that they pass in opposite directions
+        b.against = true;  // for a common stretch passed in opposite directions
         crossing |= course_.onward(a) == course_.onward(b) && course_.cross_from(a, b);
         if (!crossing) continue;
         ++result_.crossings[a.path];
@@ -281,7 +283,7 @@ class ContactCounter {
     }
   }
 
-  /// Counts, for the paths of x, the passages of y that come later.
+  /// Counts, for each path of x, the passages of y that are later in the order of the paths.
   void all_cross(const PassageClass& x, const PassageClass& y) {
     auto later = y.members.begin();
     for (const std::uint32_t i : x.members) {
@@ -324,12 +326,12 @@ PathContacts path_contacts(const SignpostTriangulation& triangulation,
 
 namespace {
 
-/// Calls found() with each two segments that cross.
+/// Calls found() for each pair of crossing segments.
 template <class Found>
 void find_crossings(const Surface& surface, std::span<const SurfaceCurve> curves,
                     const Found& found) {
   const std::vector<SegmentPlace> places = segments_by_face(surface, curves);
-  std::vector<FaceSegment> segments;  // of one face
+  std::vector<FaceSegment> segments;  // the segments of one face
   for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
     while (last < places.size() && places[last].face == places[first].face) ++last;
     if (last == first + 1) continue;

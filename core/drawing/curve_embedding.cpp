@@ -34,8 +34,8 @@ double length_of(const SignpostTriangulation& t, std::span<const HalfedgeId> pat
   return length;
 }
 
-/// Whether a part of a path is longer than two others together. Looks only as far along these as it
-/// takes to tell.
+/// Whether a part of a path is longer than two other parts together. The sum over a part stops once
+/// the answer is known, so that short loops cost little.
 bool is_longer(const SignpostTriangulation& t, std::span<const HalfedgeId> part,
                std::span<const HalfedgeId> before, std::span<const HalfedgeId> after) {
   const double length = length_of(t, part);
@@ -49,11 +49,11 @@ bool is_longer(const SignpostTriangulation& t, std::span<const HalfedgeId> part,
   return length > sum;
 }
 
-/// Leaves out the part between two passages of a vertex; of a closed path the shorter part. O(n log
-/// n) for n halfedges.
+/// Removes loops from a path: the part between two passages of one vertex. Of a closed path, which
+/// two passages divide into two loops, the shorter loop is removed. O(n log n) for n halfedges.
 void erase_loops(const SignpostTriangulation& t, std::vector<HalfedgeId>& path, bool closed) {
   std::vector<HalfedgeId> kept;
-  std::map<VertexId, std::size_t> passed;  // with the number of halfedges kept before
+  std::map<VertexId, std::size_t> passed;  // vertex, and number of halfedges kept before it
   for (std::size_t i = 0; i < path.size(); ++i) {
     const HalfedgeId h = path[i];
     passed.emplace(t.tail(h), kept.size());
@@ -117,8 +117,8 @@ EmbeddedCurves embed_curves(SignpostTriangulation& triangulation,
       vertices[c].pop_back();
     }
   }
-  // Joining one pair may split an edge that another pair runs along, so the chains are read only
-  // after all pairs are joined.
+  // The connection of one pair of vertices may split edges of another pair's connection, so the
+  // chains are read after all pairs are connected.
   struct Joined {
     std::size_t curve, since;
     std::vector<HalfedgeId> way;

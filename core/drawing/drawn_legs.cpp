@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-/// Where the curve passes way-points, with the point's place among its own.
+/// A point of the curve that is a way-point, a pin or an end; `point` is its index in the curve.
 struct Mark {
   std::size_t point = 0;
   bool is_way_point = false;
@@ -63,7 +63,8 @@ DrawnLegs legs_of(const SurfaceCurve& curve, std::span<const SurfacePoint> pins,
     }
     return false;
   };
-  // The stretches between two way-points, with the pins among them, are legs if none is painted.
+  // All stretches between two successive way-points, which pins may divide, are legs if no point of
+  // them is painted.
   std::vector<bool> is_leg(stretches, false);
   const bool may = exact >= (curve.closed ? 3U : 2U);
   for (std::size_t k = 0; may && k < m; ++k) {

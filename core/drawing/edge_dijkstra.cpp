@@ -48,7 +48,7 @@ std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, boo
     poller_.set_fraction(static_cast<double>(leg) / static_cast<double>(legs));
     const VertexId from = through[leg];
     const VertexId to = through[(leg + 1) % through.size()];
-    // A closed path needs a third vertex: the way back must not use the only edge so far.
+    // A closed path needs a third vertex: the last leg must not return along the path's only edge.
     const bool not_along_edge = leg + 1 == legs && path.size() == 2 && closed;
     const std::size_t first_new = path.size();
     if (!append_leg(from, to, not_along_edge, path)) no_path(leg + 1, from, to);
@@ -60,7 +60,8 @@ std::vector<VertexId> EdgeDijkstra::drawn(std::span<const VertexId> through, boo
   return path;
 }
 
-/// Appends the legs that meet a moved way-point; an end that does not exist is invalid.
+/// Appends the legs before and after a moved way-point `over`. An invalid `from` or `to` means that
+/// there is no such leg. False if a leg has no path.
 bool EdgeDijkstra::append_redrawn(VertexId from, VertexId over, VertexId to,
                                   std::vector<VertexId>& path) {
   const std::size_t first_new = path.size();
@@ -85,8 +86,8 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   const VertexId before = has_before ? through[(moved + n - 1) % n] : VertexId{};
   const VertexId after = has_after ? through[(moved + 1) % n] : VertexId{};
 
-  // The parts that stay: of an open path everything up to the way-point before and from the one
-  // after on; of a closed path everything from the one after to the one before.
+  // Parts of the path stay: in an open path, `head` up to the way-point `before`, and `tail` from
+  // the way-point `after` on; in a closed path, `head` from `after` to `before`.
   std::vector<VertexId> head(path.begin(), path.end()), tail;
   const auto at = [&](VertexId v) { return std::find(head.begin(), head.end(), v); };
   if ((has_before && at(before) == head.end()) || (has_after && at(after) == head.end())) {
@@ -110,7 +111,7 @@ std::vector<VertexId> EdgeDijkstra::redraw(std::span<const VertexId> path,
   if (!append_redrawn(before, through[moved], after, result)) return drawn(through, closed);
   result.insert(result.end(), tail.begin(), tail.end());
   if (!closed) return result;
-  result.pop_back();  // the way-point after, where the result began
+  result.pop_back();  // the way-point `after`, with which the result also begins
   std::rotate(result.begin(), std::find(result.begin(), result.end(), through.front()),
               result.end());
   return result;
@@ -145,7 +146,7 @@ bool EdgeDijkstra::append_leg(VertexId from, VertexId to, bool not_along_edge,
 }
 
 bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks) {
-  constexpr std::size_t kPatience = 16;  // whole meshes; landmarks cost nine
+  constexpr std::size_t kPatience = 16;  // searches of the whole mesh; landmarks cost nine
   if (!landmarks_ && looked_at_ > kPatience * surface_->vertex_count()) {
     landmarks_ = std::make_unique<EdgeLandmarks>(*surface_, from, poller_);
   }
@@ -190,9 +191,9 @@ bool EdgeDijkstra::search_around(VertexId from, VertexId to, bool not_along_edge
   return false;
 }
 
-/// Distances of all vertices on shortest ways, which are the same as those of search_around(): a
-/// vertex is looked at again where a shorter way to it comes later, and the search goes on until
-/// no way is left that could be as short, but for rounding.
+/// A* search. The distances of all vertices on shortest paths are those of search_around(): a
+/// vertex is visited again when a shorter path to it is found, and the search ends only when no
+/// other path can be as short, up to rounding.
 void EdgeDijkstra::search_with_landmarks(VertexId from, VertexId to, bool not_along_edge) {
   constexpr double kAsShort = 1 + 1e-9;
   ++search_;
@@ -222,8 +223,9 @@ void EdgeDijkstra::search_with_landmarks(VertexId from, VertexId to, bool not_al
   }
 }
 
-/// The smallest of the predecessors on shortest ways; false where an edge has no length beside the
-/// way to it, since the order of search_around() decides there.
+/// Sets the parents along the path back from `to`: the smallest predecessor on a shortest path.
+/// False if the length of an edge vanishes beside the distance, since the order of the search in
+/// search_around() then decides.
 bool EdgeDijkstra::find_parents(VertexId from, VertexId to, bool not_along_edge) {
   for (VertexId v = to; v != from; v = parent_[v.index()]) {
     const double distance = distance_[v.index()];
@@ -241,7 +243,7 @@ bool EdgeDijkstra::find_parents(VertexId from, VertexId to, bool not_along_edge)
   return true;
 }
 
-/// Notes a way to an unsettled vertex and appends it to the heap when it is shorter.
+/// Records a path to an unsettled vertex, and appends it to the heap if it is shorter than before.
 void EdgeDijkstra::reach(VertexId vertex, VertexId from, double distance) {
   const std::size_t v = vertex.index();
   if (reached(vertex) && distance >= distance_[v]) {

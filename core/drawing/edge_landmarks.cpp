@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-/// From one vertex along edges, mesh units; infinite where no way leads.
+/// The distances from one vertex along edges, mesh units; infinite where no path leads.
 std::vector<double> distances_from(const Surface& surface, VertexId start, ProgressPoller& poller) {
   constexpr std::size_t kOfEntry = 8;  // units of work
   using Entry = std::pair<double, std::size_t>;

@@ -12,11 +12,11 @@
 namespace talweg {
 namespace {
 
-/// From one point of the curve to the next, in a face that has both.
+/// The way from one point of the curve to the next, in a face that has both.
 struct Step {
   FaceCoordinates from;
   std::array<double, 3> to{};  // in the same face
-  double start = 0;            // length of the curve before it
+  double start = 0;            // length of the curve before the step
   double length = 0;
 };
 

@@ -63,7 +63,7 @@ class Joiner {
  private:
   static bool is_loop(const Line& line) { return line.size() > 1 && line.front() == line.back(); }
 
-  /// Extends a curve from a line's end as long as exactly one other line continues there.
+  /// Extends a curve at an end of a line while exactly one other line has an end at the same point.
   void extend(Line& curve, LineEnd end) {
     for (;;) {
       const auto first = std::lower_bound(ends_.begin(), ends_.end(), LineEnd{end.point, 0, false});

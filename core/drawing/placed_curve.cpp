@@ -7,7 +7,7 @@
 namespace talweg {
 namespace {
 
-/// Barycentrics that SurfacePoint::on_edge converts back bit for bit, because 1 - t is computed
+/// Barycentrics from which SurfacePoint::on_edge() restores t bit for bit, since 1 - t is computed
 /// only once.
 FaceCoordinates exact_coordinates(const Surface& surface, const SurfacePoint& point, FaceId face) {
   FaceCoordinates at = coordinates_in(surface, point, face);

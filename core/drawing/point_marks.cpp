@@ -36,7 +36,7 @@ std::vector<double> marks_through(const SurfaceCurve& drawn, std::span<const Sur
   std::vector<double> marks(drawn.points.size(), kNotSaid);
   std::size_t next = 0;
   for (std::size_t k = 0; k < drawn.points.size(); ++k) {
-    // Points that are given twice in succession are one point of the curve.
+    // Successive given points at one place are one point of the curve.
     while (next < given.size() && drawn.points[k] == given[next]) {
       const double mark = given_marks.empty() ? 0 : given_marks[next];
       if (marks[k] == kNotSaid || mark >= 0) marks[k] = mark;

@@ -13,17 +13,18 @@ constexpr double kFarthestStep = 16;  // mean edges
 constexpr double kBallOfStep = 0.75, kBallOfEdge = 1;
 constexpr double kReachOfDistance = 2, kReachOfEdge = 0.5;
 constexpr double kJumpOfEdge = 4, kJumpOfStep = 2;
-constexpr double kUsual = 0.9;  // of the points are no farther off
+constexpr double kUsual = 0.9;  // quantile of the distances that is the usual distance
 constexpr std::size_t kMostSheets = 8;
 
 using Candidate = ClosestPoint::Result;
 
-/// Whether ways over the faces are as short as those through space.
+/// Steps between successive candidates: is there a path over the faces that is about as short as
+/// the way through space?
 class Steps {
  public:
   explicit Steps(const SurfaceMesh& mesh) : mesh_(&mesh), edge_(mesh.mean_edge_length()) {}
 
-  /// Whether one can walk from one point to the other without leaving a ball about both.
+  /// Whether a path over the faces joins both points inside a ball about both.
   [[nodiscard]] bool can_walk(const Candidate& from, const Candidate& to) const {
     if (from.face == to.face) return true;
     const Point p = mesh_->position(from.point), q = mesh_->position(to.point);
@@ -75,13 +76,14 @@ class Steps {
   double edge_;
 };
 
-/// The choice of sheets with the least cost, point by point (Viterbi 1967).
+/// The candidates with the least total cost, by dynamic programming over the points (Viterbi 1967).
 class Matching {
  public:
   Matching(const SurfaceMesh& mesh, const ClosestPoint& closest, std::span<const Point> positions,
            std::span<const Candidate> nearest)
       : steps_(mesh) {
-    // A point beside its sheet may lie on another one: how far they are off is told by all.
+    // A point may lie exactly on the wrong sheet, so the reach also depends on the usual distance
+    // of all points.
     std::vector<double> off;
     for (const Candidate& candidate : nearest) off.push_back(candidate.distance);
     const auto usual =

@@ -7,7 +7,7 @@
 namespace talweg {
 namespace {
 
-/// The points of a curve that are way-points if it is taken exactly.
+/// The way-points of a curve under PointMeaning::kExact.
 std::vector<InputWayPoint> exact_points(const SnappedCurve& curve) {
   if (!curve.way_points.empty()) return curve.way_points;
   std::vector<InputWayPoint> all;
@@ -17,7 +17,8 @@ std::vector<InputWayPoint> exact_points(const SnappedCurve& curve) {
   return all;
 }
 
-/// The largest of the three steps of a stroke at its start and at its end.
+/// The largest of the first three steps of a stroke, and the largest of its last three; 0 for
+/// curves that are no strokes of a hand.
 std::array<double, 2> steps_at_ends(const SurfaceMesh& mesh, const SnappedCurve& curve) {
   constexpr std::size_t kSteps = 3;
   std::array<double, 2> steps{};
@@ -33,7 +34,7 @@ std::array<double, 2> steps_at_ends(const SurfaceMesh& mesh, const SnappedCurve&
   return steps;
 }
 
-/// Sentences on the ends of a curve that ran over the border.
+/// Adds sentences on the ends of a curve that run over the border.
 void tell_beyond_border(const SnappedCurve& curve, std::size_t number,
                         std::vector<std::string>& told) {
   for (std::size_t side = 0; side < 2; ++side) {

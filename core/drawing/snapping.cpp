@@ -27,16 +27,15 @@ constexpr double kMostRounding = 1e-4;
 /// Relative rounding of 32-bit floats, as a bound for all three coordinates together.
 constexpr double kSinglePrecision = 1.2e-7;
 
-/// A position farther away than both of these belongs to another mesh: as a part of the diagonal of
-/// the mesh's box, and in mean edges (for meshes of a few faces).
+/// A position farther away than both bounds belongs to another mesh. The bounds are a part of the
+/// diagonal of the mesh's bounding box, and a number of mean edges (for meshes of a few faces).
 constexpr double kFarthestOfSize = 0.125;
 constexpr double kFarthestInEdges = 10;
-/// In mean edges. A mesh that was only smoothed or made coarser stays nearer to its drawing than
-/// this.
+/// In mean edges. A mesh that was smoothed or made coarser after the drawing stays nearer to it.
 constexpr double kMovedFarInEdges = 3;
-/// In mean edges. Only drawings that were moved farther are looked at for a better fit.
+/// In mean edges. A better fit is sought only for drawings that snapping moved farther.
 constexpr double kLookedAtInEdges = 0.25;
-/// Positions that were written in few digits are moved by so much, in mean edges.
+/// In mean edges. The distance by which few digits in a file may move positions.
 constexpr double kRoundingInEdges = 1e-4;
 
 double size_of(const SurfaceMesh& mesh) {
@@ -92,7 +91,8 @@ std::vector<SurfacePoint> snap_vertices(const Surface& surface, const std::vecto
   return points;
 }
 
-/// On an edge the fraction is taken from the file unchanged, so nothing is lost.
+/// The point with these coordinates. On an edge, the fraction is one of the coordinates, unchanged,
+/// so no bit is lost.
 SurfacePoint exact_point(const Surface& surface, const FaceCoordinates& at) {
   const auto& b = at.barycentric;
   if (at.face.index() < surface.face_count() && std::count(b.begin(), b.end(), 0.0) == 1) {
@@ -123,14 +123,14 @@ std::vector<SurfacePoint> snap_coordinates(const Surface& surface,
   return points;
 }
 
-/// Points that were clicked or pinned, and those that share no face with a neighbour, are ends of
-/// straight lines.
+/// Settles the ends of straight lines: clicked points, pins, and points that share no face with the
+/// next or previous point.
 void settle_ends_of_lines(const Surface& surface, const CurveInput& curve,
                           std::vector<SurfacePoint>& points) {
   const std::size_t n = points.size();
   std::vector<bool> ends(n, curve.control_points);
   const auto mark = [&](std::size_t k) {
-    if (k < n) ends[k] = true;  // keep_marks() refuses others
+    if (k < n) ends[k] = true;  // keep_marks() refuses larger indices
   };
   for (const std::size_t pin : curve.pins) mark(pin);
   for (const InputWayPoint& way : curve.way_points) mark(way.point);
@@ -143,7 +143,8 @@ void settle_ends_of_lines(const Surface& surface, const CurveInput& curve,
   }
 }
 
-/// The nearest point, moved to a vertex or else an edge of its face if that lies within `near`.
+/// The nearest point, moved to a vertex of its face within `near`, or else to an edge within
+/// `near`.
 SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
                      const Point& position) {
   const Surface& surface = mesh.surface();
@@ -184,20 +185,21 @@ SurfacePoint settled(const SurfaceMesh& mesh, const ClosestPoint::Result& found,
   return SurfacePoint::from_barycentric(surface, found.face, *on_side);
 }
 
-/// What a refusal says of a space, unit or place in which the positions would fit.
+/// The part of an error's sentence about another space, unit or place in which the positions would
+/// fit; empty if there is none.
 std::string which_fits(const SurfaceMesh& mesh, const ClosestPoint& closest,
                        const std::vector<Point>& positions) {
   const std::string words = better_fit(mesh, closest, positions);
   return words.empty() ? words : fmt::format("; it {}", words);
 }
 
-/// How far from the mesh a position may lie that belongs to it.
+/// The largest distance of a position from its mesh.
 double farthest_taken(const SurfaceMesh& mesh, double size) {
   return std::max(kFarthestOfSize * size, kFarthestInEdges * mesh.mean_edge_length());
 }
 
-/// The nearest point of the mesh to each position, one by one; the first of them is that of this
-/// number in the curve.
+/// The nearest point of the mesh to each position. `first` is the index in the curve of the first
+/// position, for messages.
 std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                              const std::vector<Point>& positions, std::size_t first,
                                              ProgressPoller& poller) {
@@ -263,8 +265,8 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
   return points;
 }
 
-/// Drops every point that equals the one before, and in a closed curve the last point if it equals
-/// the first. Returns for every given point the one that stays.
+/// Drops points equal to the point before, and the last point of a closed curve if it equals the
+/// first. Returns, for each given point, the index of the point that it became.
 std::vector<std::size_t> merge_equal(const std::vector<SurfacePoint>& points, SnappedCurve& curve) {
   std::vector<std::size_t> kept(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -312,7 +314,7 @@ std::vector<InputWayPoint> kept_way_points(const std::vector<std::size_t>& kept,
   return all;
 }
 
-/// Pins, way-points and painted points of points that were dropped go to those that stay.
+/// Transfers the marks of the given points, pins too, to the points that merge_equal() kept.
 void keep_marks(const CurveInput& input, const std::vector<std::size_t>& kept,
                 SnappedCurve& curve) {
   for (const std::size_t pin : input.pins) curve.pins.push_back(kept_point(kept, pin, "pin"));
@@ -328,7 +330,7 @@ void keep_marks(const CurveInput& input, const std::vector<std::size_t>& kept,
   });
 }
 
-/// Makes all control points way-points, if they can have been clicked.
+/// Makes all control points way-points, unless they are too many or too dense to be clicks.
 void take_control_points(const SurfaceMesh& mesh, SnappedCurve& curve) {
   curve.why_stroke = why_no_clicks(mesh, curve.points, curve.closed);
   if (!curve.why_stroke.empty()) return;
@@ -339,7 +341,7 @@ bool has_positions(const CurveInput& curve) {
   return std::holds_alternative<std::vector<Point>>(curve.points);
 }
 
-/// A stroke of positions without its spikes; tells of these. None where there are none.
+/// The curve without spikes if it is a stroke of positions with spikes; adds a sentence on them.
 std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<std::string>& told) {
   const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
   const bool is_stroke = samples != nullptr && !curve.control_points && curve.pins.empty() &&
@@ -361,8 +363,8 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<st
   return rest;
 }
 
-/// Whether a stroke is cut off where it runs over the border. One that is mostly far away belongs
-/// to another place.
+/// Whether a stroke is cut where it runs over the border. A stroke that lies mostly beyond the
+/// border is cut only if it is near: otherwise it belongs to another place.
 bool runs_over(const SurfaceMesh& mesh, const std::array<BorderRun, 2>& runs, std::size_t samples) {
   const auto& [start, end] = runs;
   if (start.samples + end.samples == 0) return false;
@@ -370,8 +372,9 @@ bool runs_over(const SurfaceMesh& mesh, const std::array<BorderRun, 2>& runs, st
   return std::max(start.farthest, end.farthest) <= farthest_taken(mesh, size_of(mesh));
 }
 
-/// A stroke of positions as far as it is on the mesh; none if all of it is, or next to nothing.
-/// Where it leaves, that place stands for all samples beyond.
+/// The part of a stroke of positions on the mesh; none if the whole stroke is on the mesh, or
+/// almost nothing of it. The place where the stroke crosses the border replaces all samples beyond
+/// it.
 std::optional<CurveInput> within_border(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                         const CurveInput& curve, SnappedCurve& result) {
   const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
@@ -383,7 +386,7 @@ std::optional<CurveInput> within_border(const SurfaceMesh& mesh, const ClosestPo
   try {
     runs = border_runs(mesh, closest, *samples);
   } catch (const Error&) {
-    return std::nullopt;  // nearest_to() says at which position
+    return std::nullopt;  // nearest_to() will throw an error that names the position
   }
   if (!runs_over(mesh, runs, n)) return std::nullopt;
   const auto& [start, end] = runs;

@@ -68,7 +68,8 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
   triangulation.remove_inserted();
 }
 
-/// Appends the points between two points that share no face; leaves points inserted.
+/// Appends the points of the straight line between two points that share no face. The points that
+/// this function inserts into the triangulation stay there.
 void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to,
                                 std::vector<SurfacePoint>& points, const Progress& progress) {
   SignpostTriangulation& triangulation = workshop_->triangulation;
@@ -101,8 +102,8 @@ void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to
   const std::array<EdgePath, 1> result = {straight.paths.front().path};
   const TraceResult traced = workshop_->tracer.trace_and_undo(result, progress);
   const std::vector<SurfacePoint>& line = traced.curves.front().points;
-  // A point within rounding of a vertex or an edge was inserted there, and the line may then go on
-  // through a face that does not contain the point.
+  // A point within rounding of a vertex or an edge was inserted at this vertex or edge. The line
+  // may then continue through a face that does not contain the point.
   const auto meets = [&](const SurfacePoint& p, const SurfacePoint& q) {
     return common_face(*surface_, p, q).valid();
   };

@@ -17,7 +17,7 @@ double usual_step(std::span<const Point> samples) {
     steps.push_back((samples[k + 1] - samples[k]).norm());
   }
   std::sort(steps.begin(), steps.end());
-  // Spikes are the longest steps, and must not say what is usual: the longest tenth is left out.
+  // The longest tenth of the steps is left out, since spikes make the longest steps.
   steps.resize(steps.size() - steps.size() / 10);
   const double length = std::accumulate(steps.begin(), steps.end(), 0.0);
   double before = 0;

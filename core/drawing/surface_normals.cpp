@@ -11,7 +11,7 @@ std::array<Point, 3> corners_of(const SurfaceMesh& mesh, FaceId face) {
   return {mesh.point(ids[0]), mesh.point(ids[1]), mesh.point(ids[2])};
 }
 
-/// The angle of the face at a vertex, or 1 where the point is at none.
+/// The angle of the face at the point if the point is a vertex, else 1.
 double weight_of(const SurfaceMesh& mesh, FaceId face, const AtVertex* at) {
   if (at == nullptr) return 1;
   const auto ids = mesh.surface().corners(face);

@@ -12,13 +12,13 @@ namespace talweg {
 namespace {
 
 constexpr std::size_t kOnEdge = 3;  // nodes inside each edge
-constexpr double kGround = 4;       // the cost of ground, and of the best ridge its inverse
+constexpr double kGround = 4;       // the cost per length without a ridge; 1 / kGround on the best
 constexpr double kFullTurn = 10 * std::numbers::pi / 180;
 constexpr double kRim = 0.5;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
-/// In [0, 1): a half where a ridge costs as much as the drawing.
+/// The pull of a ridge, in [0, 1). At a pull of a half, a ridge costs as much as the drawing.
 double pull_of(double angle, double strength) {
   const double pull = strength * angle / kFullTurn;
   return pull / (1 + pull);
@@ -36,7 +36,7 @@ RidgeCorridor::RidgeCorridor(const SurfaceMesh& mesh, RidgeField& field,
   place_drawn(field, settings.strength);
 }
 
-/// Dijkstra's algorithm along edges from the line, up to the width.
+/// Finds the vertices within the width of the line by Dijkstra's algorithm along edges.
 void RidgeCorridor::reach(double width, ProgressPoller& poller) {
   const Surface& surface = mesh_->surface();
   using Entry = std::pair<double, std::size_t>;
@@ -81,7 +81,7 @@ std::uint32_t RidgeCorridor::side_number(EdgeId edge) {
   return there->second;
 }
 
-/// All faces at vertices that were reached, and those of the line, in the order of their numbers.
+/// Adds the faces of the line, and all faces at reached vertices, in the order of their numbers.
 void RidgeCorridor::add_faces(ProgressPoller& poller) {
   const Surface& surface = mesh_->surface();
   std::vector<std::size_t> ids;
@@ -191,7 +191,8 @@ std::uint64_t RidgeCorridor::key(std::size_t node) const {
   return (kOnEdge + 1) * std::uint64_t{edges_[on / kOnEdge].index()} + 1 + on % kOnEdge;
 }
 
-/// Of the ground, or of the crease if both nodes lie on one side of the face.
+/// The mean pull of both nodes, or, if it is larger, the pull of the crease along the side of the
+/// face on which both nodes lie.
 double RidgeCorridor::arc_pull(const Face& face, std::size_t from, std::size_t to) const {
   double pull = (pull_[from] + pull_[to]) / 2;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -246,7 +247,7 @@ void RidgeCorridor::visit_face(const Face& face, const Visit& visit) const {
   for (const std::uint32_t drawn : face.drawn) visit(drawn);
 }
 
-/// Where the faces at a node are listed.
+/// The index in faces_at_ of the list of faces at a node.
 std::size_t RidgeCorridor::element_number(std::size_t node) const {
   if (node < vertices_.size()) return node;
   if (is_drawn(node)) return vertices_.size() + edges_.size() + (node - first_drawn_);

@@ -14,11 +14,11 @@
 namespace talweg {
 namespace {
 
-using Quadric = Eigen::Matrix<double, 6, 1>;  // x², xy, y², x, y, 1
+using Quadric = Eigen::Matrix<double, 6, 1>;  // coefficients of x², xy, y², x, y, 1
 
-constexpr std::size_t kFewest = 8;  // vertices that a quadric is fitted to
+constexpr std::size_t kFewest = 8;  // the fewest vertices to which a quadric is fitted
 
-/// Two unit directions at right angles to a unit normal and each other.
+/// Two unit vectors at right angles to a unit normal and to each other.
 std::array<Point, 2> plane_of(const Point& normal) {
   const Point beside = std::abs(normal.x()) < 0.7 ? Point(1, 0, 0) : Point(0, 1, 0);
   const Point u = normal.cross(beside).normalized();
@@ -37,7 +37,7 @@ RidgeKind ridge_kind(std::string_view name) {
 
 RidgeField::RidgeField(const SurfaceMesh& mesh, RidgeKind kind, double scale, double roughness)
     : mesh_(&mesh), scale_(scale) {
-  constexpr double kAngleOfNoise = 10;  // radians: three deviations of a dihedral, per roughness
+  constexpr double kAngleOfNoise = 10;  // radians per roughness: three deviations of a dihedral
   rough_angle_ = kAngleOfNoise * roughness;
   counts_ = {kind != RidgeKind::kConcave, kind != RidgeKind::kConvex};
   slot_.resize(mesh.surface().vertex_count());
@@ -53,7 +53,8 @@ RidgeField::Known& RidgeField::known(VertexId vertex) {
   return known_[slot - 1];
 }
 
-/// The vertices that edges lead to from a vertex inside a ball around it; it comes first.
+/// Gathers the vertices that paths of edges inside a ball join to the vertex at its centre, which
+/// comes first.
 void RidgeField::gather(VertexId vertex, double radius, std::vector<VertexId>& ball) {
   const Surface& surface = mesh_->surface();
   const Point& middle = mesh_->point(vertex);
@@ -106,7 +107,7 @@ RidgeField::Turn RidgeField::fitted(VertexId vertex) {
     left += row * row.transpose();
     right += off.dot(unit) * row;
   }
-  constexpr double kFloor = 1e-6;  // of points in a line, for which any surface would do
+  constexpr double kFloor = 1e-6;  // makes the fit unique for points on a line
   left.diagonal().array() += kFloor * static_cast<double>(ball.size());
   const Quadric fit = left.ldlt().solve(right);
   if (!fit.allFinite()) return turn;
@@ -114,7 +115,7 @@ RidgeField::Turn RidgeField::fitted(VertexId vertex) {
   bend << 2 * fit[0], fit[1], fit[1], 2 * fit[2];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(bend);
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto k = static_cast<Eigen::Index>(side);  // the smaller eigenvalue is that of a ridge
+    const auto k = static_cast<Eigen::Index>(side);  // the smaller eigenvalue belongs to a ridge
     const double curvature = solver.eigenvalues()[k] * (side == 0 ? -1 : 1);
     turn.angle[side] = 2 * std::atan(std::max(0.0, curvature) / 2);
     turn.across[side] = solver.eigenvectors()(0, k) * u + solver.eigenvectors()(1, k) * w;
@@ -132,7 +133,8 @@ const RidgeField::Turn& RidgeField::turn(VertexId vertex) {
   return *known(vertex).turn;
 }
 
-/// By how much the surface turns here more than at the least on either side.
+/// The height of a ridge: its angle minus the least angle beside it, within two scales; the side
+/// with the larger least angle counts.
 double RidgeField::height(VertexId vertex, std::size_t side) {
   if (const auto& is = known(vertex).height[side]) return *is;
   const Turn here = turn(vertex);
@@ -157,7 +159,7 @@ double RidgeField::height(VertexId vertex, std::size_t side) {
   return height;
 }
 
-/// The height, much less where the surface turns more a little beside.
+/// The height, reduced by the fourth power of its ratio to the largest height a little beside.
 double RidgeField::sharpened(VertexId vertex, std::size_t side) {
   const double here = height(vertex, side);
   if (!(here > 0)) return 0;
@@ -199,7 +201,8 @@ double RidgeField::dihedral(EdgeId edge) const {
   return std::atan2(n.cross(m).dot(way) / length, n.dot(m));
 }
 
-/// Of the edges around a vertex that have both ends within two edges of it, three tenths turn less.
+/// The usual dihedral angle near a vertex: the quantile 0.3 over the edges at the vertex and at its
+/// neighbours.
 double RidgeField::usual_dihedral(VertexId vertex) {
   const Surface& surface = mesh_->surface();
   std::vector<double> angles;

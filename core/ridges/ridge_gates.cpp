@@ -9,9 +9,9 @@
 namespace talweg {
 namespace {
 
-constexpr double kCost = 0.1;           // of what lies between a click or an end and the way
-constexpr double kFaint = 0.125;        // bands
-constexpr double kLongestStretch = 16;  // bands
+constexpr double kCost = 0.1;           // RidgeGate::cost of clicks and ends
+constexpr double kFaint = 0.125;        // RidgeGate::faint, as part of the band
+constexpr double kLongestStretch = 16;  // in widths of the band
 constexpr double kOfStretch = 1.0 / 3;
 constexpr std::size_t kFewestOfLoop = 3;
 
@@ -36,7 +36,7 @@ class GateFinder {
   }
 
   RidgeGates find(std::span<const WayPoint> way_points, std::span<const SurfacePoint> painted) {
-    std::vector<Stretch> stretches = given(way_points, painted);
+    std::vector<Stretch> stretches = stretches_between_points(way_points, painted);
     if (stretches.empty()) stretches.push_back({gate_at(0, false), arcs_[curve_->points.size()]});
     RidgeGates found;
     const std::size_t loop = curve_->closed && stretches.size() < kFewestOfLoop ? kFewestOfLoop : 1;
@@ -78,7 +78,8 @@ class GateFinder {
     return gate;
   }
 
-  /// From an end to where the curve is two bands on.
+  /// The unit direction from an end to the curve's point two widths of the band away along the
+  /// curve.
   [[nodiscard]] Point direction_at_end(std::size_t end) const {
     const std::size_t n = curve_->points.size();
     std::size_t to = end;
@@ -89,9 +90,9 @@ class GateFinder {
         .stableNormalized();
   }
 
-  /// From each point that is said to be somewhere to the next; `length` is set later.
-  std::vector<Stretch> given(std::span<const WayPoint> way_points,
-                             std::span<const SurfacePoint> painted) const {
+  /// The stretches between successive clicks, fixed points and ends; `length` is not set.
+  std::vector<Stretch> stretches_between_points(std::span<const WayPoint> way_points,
+                                                std::span<const SurfacePoint> painted) const {
     PointLookup clicks;
     for (const WayPoint& way : way_points) clicks.add(way.point);
     const std::size_t n = curve_->points.size();
@@ -109,7 +110,7 @@ class GateFinder {
     return stretches;
   }
 
-  /// Adds a stretch up to a point; if it is a stroke, in parts.
+  /// Adds the gates and widths of a stretch up to point `end`. A stroke is divided by more gates.
   void add(const Stretch& stretch, std::size_t end, std::size_t least_parts,
            RidgeGates& found) const {
     const std::size_t n = curve_->points.size();
@@ -151,7 +152,7 @@ class GateFinder {
   const SurfaceCurve* curve_;
   const PointLookup* fixed_;
   RidgeBand band_;
-  std::vector<double> arcs_;  // of the points; then the whole length
+  std::vector<double> arcs_;  // arc length at each point, then the length of the curve
 };
 
 }  // namespace

@@ -20,7 +20,7 @@
 namespace talweg {
 namespace {
 
-/// Points that stay: those that are fixed, and those that curves have in common.
+/// The points that stay: fixed points, and points that curves have in common.
 PointLookup points_that_stay(std::span<const SurfaceCurve> curves,
                              std::span<const SurfacePoint> fixed) {
   PointLookup stay(fixed), met;
@@ -40,7 +40,8 @@ double largest_distance(std::span<const Point> from, std::span<const Point> to) 
   return largest;
 }
 
-/// Puts a way together with the drawing that it leaves: of a curve, what is new of it.
+/// Joins a curve with its way along ridges: where the way leaves the drawing for a ridge, the way
+/// replaces the drawing; elsewhere the drawing stays.
 class Departures {
  public:
   Departures(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::vector<RidgeStep> way)
@@ -76,9 +77,9 @@ class Departures {
     return result;
   }
 
-  /// The points of the result that are no points of the drawing.
+  /// The points of the result that are not in the drawing.
   [[nodiscard]] const std::vector<SurfacePoint>& made() const { return made_; }
-  /// Where way-points are now, by gate.
+  /// The new place of the gate's point; null if the point stays.
   [[nodiscard]] const SurfacePoint* moved_to(std::size_t gate) const {
     const auto there = moved_.find(gate);
     return there == moved_.end() ? nullptr : &there->second;
@@ -103,7 +104,7 @@ class Departures {
     }
   }
 
-  /// What was drawn between two steps, their points included.
+  /// The drawn points between two steps, including the points of the steps.
   [[nodiscard]] std::vector<SurfacePoint> drawn_between(std::optional<std::size_t> from,
                                                         std::size_t to) const {
     const std::size_t n = curve_->points.size(), all = way_.size() + (curve_->closed ? 1 : 0);
@@ -112,7 +113,7 @@ class Departures {
     if (curve_->closed && (b < a || (b == a && to - *from >= way_.size()))) b += n;
     if (!from && to >= all && curve_->closed) b = n;
     std::vector<SurfacePoint> points;
-    if (b < a) return points;  // the way goes back
+    if (b < a) return points;  // the way runs backwards
     for (std::size_t i = a; i <= b; ++i) points.push_back(curve_->points[i % n]);
     return points;
   }
@@ -129,7 +130,8 @@ class Departures {
     return whole > 0 && on >= whole / 2;
   }
 
-  /// Adds what lies between two steps that are drawn, or between one and an end of the curve.
+  /// Adds the points between two steps on the drawing, or between such a step and an end of the
+  /// curve: points of the way if a ridge lies under it, else points of the drawing.
   void leave(std::optional<std::size_t> from, std::size_t begin, std::size_t end,
              SurfaceCurve& result, RidgeMoves& moves) {
     const std::size_t all = way_.size() + (curve_->closed ? 1 : 0);
@@ -167,15 +169,15 @@ class Departures {
     return (mesh_->position(from) - mesh_->position(to)).norm();
   }
 
-  static constexpr double kRounding =
-      1e-6;  // of the band: a way through the same places is no move
+  // As part of the band. A way that stays this near to the drawing is no move.
+  static constexpr double kRounding = 1e-6;
 
   const SurfaceMesh* mesh_;
   const SurfaceCurve* curve_;
   std::vector<RidgeStep> way_;
   std::vector<SurfacePoint> made_;
   std::unordered_map<std::size_t, SurfacePoint> moved_;  // only looked up
-  double left_ = 0, stayed_ = 0;                         // of the drawing's length, on ridges now
+  double left_ = 0, stayed_ = 0;  // lengths of the drawing that moved onto ridges, or lay there
 };
 
 /// How far from the drawing a ridge may lie to attract it. A click moves at most a third of the way
@@ -186,7 +188,7 @@ double reach_of(const RidgeGates& gates, double band) {
   return reach > 0 ? std::min(reach, band) : band;
 }
 
-/// What is known of a curve before it is moved.
+/// The lengths by which one curve is snapped.
 struct Setting {
   RidgeBand band;
   double scale = 0, roughness = 0;
@@ -212,11 +214,11 @@ Setting setting_of(const SurfaceMesh& mesh, const SurfaceCurve& curve, const Rid
   return setting;
 }
 
-/// Moves curve after curve of a drawing.
+/// Snaps the curves of a drawing, one after another.
 class Snapping {
  public:
   Snapping(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-           std::span<const SurfacePoint> fixed, TakenPoints points, const RidgeOptions& options,
+           std::span<const SurfacePoint> fixed, MarkedPoints points, const RidgeOptions& options,
            const Progress& progress)
       : mesh_(&mesh),
         stay_(points_that_stay(curves, fixed)),
@@ -228,7 +230,7 @@ class Snapping {
   }
 
   RidgedDrawing run() {
-    const TakenPoints given = result_.points;
+    const MarkedPoints given = result_.points;
     for (std::size_t c = 0; c < result_.curves.size(); ++c) {
       poller_.set_fraction(static_cast<double>(c) / static_cast<double>(result_.curves.size()));
       move(c, given);
@@ -238,7 +240,7 @@ class Snapping {
   }
 
  private:
-  void move(std::size_t c, const TakenPoints& given) {
+  void move(std::size_t c, const MarkedPoints& given) {
     SurfaceCurve& curve = result_.curves[c];
     const Setting setting = setting_of(*mesh_, curve, options_, progress_);
     const RidgeGates gates =
@@ -265,7 +267,7 @@ class Snapping {
     result_.moves.push_back(moves);
   }
 
-  /// Points that were painted before a curve was moved may lie on no curve after it.
+  /// Drops painted points that lie on no curve any more.
   void drop_painted_points_off_the_curves() {
     if (result_.points.painted.empty()) return;
     PointLookup points;
@@ -274,7 +276,7 @@ class Snapping {
                   [&](const SurfacePoint& point) { return !points.contains(point); });
   }
 
-  /// A loop whose whole way collapsed onto one place is left as it was.
+  /// Whether the points suffice for a curve. The way of a small loop may collapse onto one place.
   [[nodiscard]] static bool is_curve(const SurfaceCurve& curve) {
     return curve.points.size() >= (curve.closed ? 3U : 2U);
   }
@@ -320,7 +322,7 @@ void RidgeOptions::validate() const {
 }
 
 std::string RidgeMoves::sentence(std::size_t curve) const {
-  const double seen = 0.005;  // less than a percent is told as none
+  const double seen = 0.005;  // smaller parts would be written as 0 %
   if (moved == 0 && already >= seen) {
     return fmt::format(
         "{:.0f} % of curve {} lie on ridges as they were drawn; nothing had to be moved (band "
@@ -369,7 +371,7 @@ std::vector<ReportEntry> total_entries(std::span<const RidgeMoves> moves) {
 }
 
 RidgedDrawing snapped_to_ridges(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                std::span<const SurfacePoint> fixed, TakenPoints points,
+                                std::span<const SurfacePoint> fixed, MarkedPoints points,
                                 const RidgeOptions& options, const Progress& progress) {
   options.validate();
   if (options.strength == 0) {

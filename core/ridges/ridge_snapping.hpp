@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "talweg/core/drawing/taken_points.hpp"
+#include "talweg/core/drawing/marked_points.hpp"
 #include "talweg/core/measure/report_entry.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/core/ridges/ridge_field.hpp"
@@ -51,7 +51,7 @@ std::vector<ReportEntry> total_entries(std::span<const RidgeMoves> moves);
 
 struct RidgedDrawing {
   std::vector<SurfaceCurve> curves;
-  TakenPoints points;             ///< moved points between way-points are painted
+  MarkedPoints points;            ///< moved points between way-points are painted
   std::vector<RidgeMoves> moves;  ///< per curve
 };
 
@@ -63,7 +63,7 @@ struct RidgedDrawing {
 /// drawing stays unchanged. Throws Error(kBadUsage) as validate() does, and Cancelled. O(vertices
 /// within the bands); with a strength above 0, also O(vertices of the mesh) to clear arrays.
 RidgedDrawing snapped_to_ridges(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
-                                std::span<const SurfacePoint> fixed, TakenPoints points,
+                                std::span<const SurfacePoint> fixed, MarkedPoints points,
                                 const RidgeOptions& options, const Progress& progress = {});
 
 }  // namespace talweg

@@ -16,12 +16,14 @@ namespace {
 
 constexpr std::uint64_t kTheGateItself = std::numeric_limits<std::uint64_t>::max();
 
-/// A node of a corridor at a gate, by a key that the corridors on both sides have in common.
+/// A node of a corridor at a gate, and the cost of the way's passing there.
 struct GateNode {
   std::size_t node = 0;
   double cost = 0;
 };
-using GateNodes = std::unordered_map<std::uint64_t, GateNode>;  // only looked up
+/// The keys are those that the corridors on both sides of a gate have in common. The map is only
+/// looked up or reduced to a minimum, so its order does not matter.
+using GateNodes = std::unordered_map<std::uint64_t, GateNode>;
 
 class WayFinder {
  public:
@@ -64,7 +66,7 @@ class WayFinder {
     return (leg + 1) % gates_->gates.size();
   }
 
-  /// The nodes of a leg at its first gate, or its last.
+  /// The nodes of a leg at its first or its last gate.
   [[nodiscard]] GateNodes nodes_at(std::size_t leg, bool last) const {
     const RidgeCorridor& corridor = legs_[leg];
     const RidgeGate& gate = gates_->gates[last ? gate_after(leg) : leg];
@@ -90,8 +92,8 @@ class WayFinder {
     return nodes;
   }
 
-  /// Whether the ridge passes across a gate. Places of a ridge that runs along the gate, and
-  /// crosses the drawing, lie farther apart.
+  /// Whether a ridge passes across the gate: its nodes lie within a width. Nodes of a ridge that
+  /// runs along the gate, and so crosses the drawing, lie farther apart.
   [[nodiscard]] static bool is_narrow(const std::vector<Point>& ridge, const Point& middle,
                                       double width) {
     if (ridge.empty()) return false;
@@ -104,7 +106,8 @@ class WayFinder {
     return (farthest_from(end) - end).norm() <= width;
   }
 
-  /// Searches all legs from a gate on: from one node there, or from all of them.
+  /// Searches all legs in order from gate `first`, starting from the node with key `from`, or from
+  /// all nodes of the gate.
   void search(std::size_t first, std::optional<std::uint64_t> from) {
     std::vector<RidgeCorridor::Start> starts;
     for (const auto& [key, at] : nodes_at(first, false)) {
@@ -125,7 +128,7 @@ class WayFinder {
     }
   }
 
-  /// The key of the cheapest node at which the last leg ends; the smallest of equally cheap ones.
+  /// The key of the cheapest node at the last gate; of equally cheap nodes, the smallest key.
   [[nodiscard]] std::uint64_t best_end(std::size_t first) const {
     const std::size_t last = (first + legs_.size() - 1) % legs_.size();
     std::pair<double, std::uint64_t> best{std::numeric_limits<double>::infinity(), kTheGateItself};
@@ -135,7 +138,8 @@ class WayFinder {
     return best.second;
   }
 
-  /// The way that ends at a node of the last gate, and through which nodes it passes the others.
+  /// The cheapest way to a node of the last gate. Sets passed_ to the nodes at which the way passes
+  /// the gates.
   std::vector<RidgeStep> way_back(std::size_t first, std::uint64_t end) {
     std::vector<std::vector<RidgeStep>> parts(legs_.size());
     passed_.assign(gates_->gates.size(), kTheGateItself);
@@ -201,7 +205,7 @@ class WayFinder {
   const RidgeGates* gates_;
   ProgressPoller* poller_;
   std::vector<RidgeCorridor> legs_;
-  std::vector<std::uint64_t> passed_;  // per gate, by the last way_back()
+  std::vector<std::uint64_t> passed_;  // per gate, the key of a node; set by way_back()
 };
 
 }  // namespace

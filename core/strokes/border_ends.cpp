@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kReachOfEdge = 2, kReachOfStep = 1.5, kStepOfLength = 1.0 / 12,
                  kReachOfLength = 0.5;
-constexpr double kWayOfReach = 2;  // of the way over the surface, as part of the reach
+constexpr double kWayOfReach = 2;  // the longest way over the surface, as part of the reach
 
-/// Spreads over the faces around a point, as far as they are near to it in space.
+/// A search over the faces around a point that lie within reach through space.
 class BorderSearch {
  public:
   BorderSearch(const SurfaceMesh& mesh, const SurfacePoint& from, double reach)
@@ -30,7 +30,7 @@ class BorderSearch {
     for (const FaceId face : faces_at(mesh.surface(), from)) meet(face);
   }
 
-  /// The nearest point of the border; none within reach.
+  /// The nearest point of the border within reach, if any.
   [[nodiscard]] std::optional<SurfacePoint> nearest() {
     const Surface& surface = mesh_->surface();
     const double reach = least_;
@@ -77,7 +77,7 @@ class BorderSearch {
   std::optional<EdgeId> border_;
 };
 
-/// One of both ends of a curve of a drawing.
+/// The first or the last point of a curve of a drawing.
 struct CurveEnd {
   std::size_t curve = 0;
   bool last = false;
@@ -132,15 +132,15 @@ std::optional<std::vector<SurfacePoint>> way_to_border(const SurfaceMesh& mesh,
   return way;
 }
 
-void lead_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<SurfacePoint> way,
-              SnappedDrawing& drawing) {
+void extend_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<SurfacePoint> way,
+                SnappedDrawing& drawing) {
   std::vector<SurfacePoint>& points = drawing.curves[end.curve].points;
-  SurfaceCurve led{false, {end.of(drawing)}};
-  led.points.insert(led.points.end(), way.begin(), way.end());
+  SurfaceCurve extended{false, {end.of(drawing)}};
+  extended.points.insert(extended.points.end(), way.begin(), way.end());
   drawing.told.push_back(
       fmt::format("The {} of curve {} lies {:.3g} mesh units from the border of the mesh; the "
                   "curve was led straight to the border.",
-                  end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), led)));
+                  end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), extended)));
   drawing.all_exact.push_back({way.back(), 0});
   if (end.last) {
     points.insert(points.end(), way.begin(), way.end());
@@ -149,9 +149,9 @@ void lead_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<SurfaceP
   }
 }
 
-bool is_led(const SnappedDrawing& drawing, std::size_t curve, LedCurves which) {
+bool is_extended(const SnappedDrawing& drawing, std::size_t curve, ExtendedCurves which) {
   if (drawing.curves[curve].closed) return false;
-  if (which == LedCurves::kAll) return true;
+  if (which == ExtendedCurves::kAll) return true;
   return curve < drawing.hand_steps.size() && drawing.hand_steps[curve][0] > 0;
 }
 
@@ -165,16 +165,16 @@ BorderEnds border_ends(std::string_view name) {
 }
 
 SnappedDrawing with_ends_at_border(const SurfaceMesh& mesh, SnappedDrawing drawing,
-                                   StraightLines& lines, LedCurves which) {
+                                   StraightLines& lines, ExtendedCurves which) {
   for (std::size_t c = 0; c < drawing.curves.size(); ++c) {
-    if (!is_led(drawing, c, which)) continue;
-    // Both before either is led: its length is that of the drawing, and a short curve that is led
-    // at one end is not led there and back.
+    if (!is_extended(drawing, c, which)) continue;
+    // Both ways are found before an end is extended: the reach of an end depends on the length of
+    // the drawn curve, without the extension of its other end.
     const CurveEnd start{c, false}, last{c, true};
     auto to_start = way_to_border(mesh, drawing, start, lines);
     auto to_last = way_to_border(mesh, drawing, last, lines);
-    if (to_start) lead_end(mesh, start, *std::move(to_start), drawing);
-    if (to_last) lead_end(mesh, last, *std::move(to_last), drawing);
+    if (to_start) extend_end(mesh, start, *std::move(to_start), drawing);
+    if (to_last) extend_end(mesh, last, *std::move(to_last), drawing);
   }
   return drawing;
 }

@@ -19,7 +19,7 @@ enum class BorderEnds {
 BorderEnds border_ends(std::string_view name);
 
 /// The curves whose ends are extended.
-enum class LedCurves {
+enum class ExtendedCurves {
   kStrokes,  ///< open strokes of a hand, without way-points
   kAll,      ///< all open curves
 };
@@ -32,6 +32,7 @@ enum class LedCurves {
 /// StraightLines::join(). O(faces within that distance of each end), and the points of all curves
 /// for each extended end.
 SnappedDrawing with_ends_at_border(const SurfaceMesh& mesh, SnappedDrawing drawing,
-                                   StraightLines& lines, LedCurves which = LedCurves::kAll);
+                                   StraightLines& lines,
+                                   ExtendedCurves which = ExtendedCurves::kAll);
 
 }  // namespace talweg

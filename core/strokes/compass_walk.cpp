@@ -33,7 +33,8 @@ class Walker {
     return points_[(segment + 1) % points_.size()];
   }
 
-  /// Where a segment leaves the ball, from a part of it on; none where it does not.
+  /// The place at which a segment leaves the ball, at part `from` or later; none if it stays inside
+  /// or left before.
   [[nodiscard]] std::optional<PolylinePlace> exit_on(std::size_t segment, double from,
                                                      const Point& centre, double radius) const {
     const Point &a = points_[segment], &b = end_of(segment);
@@ -47,7 +48,7 @@ class Walker {
     return PolylinePlace{segment, part, a + part * along};
   }
 
-  /// Where the polyline leaves the ball for the first time.
+  /// The first place after `from` at which the polyline leaves the ball.
   [[nodiscard]] std::optional<PolylinePlace> exit(const PolylinePlace& from, const Point& centre,
                                                   double radius) const {
     for (std::size_t k = from.segment; k < segments_; ++k) {
@@ -56,7 +57,7 @@ class Walker {
     return std::nullopt;
   }
 
-  /// Where it leaves the ball of one step for the last time on the segments up to the last one.
+  /// The last place at which the polyline leaves the ball of one step, up to segment `last`.
   [[nodiscard]] PolylinePlace last_exit(const PolylinePlace& first, std::size_t last,
                                         const Point& centre) const {
     for (std::size_t k = last; k > first.segment; --k) {
@@ -76,7 +77,7 @@ class Walker {
 
 double walkable_step(std::span<const Point> points, bool closed, double step) {
   constexpr std::size_t kMost = 4096, kMostOfPoint = 16;
-  constexpr double kRounding = 1e-14;  // of coordinates
+  constexpr double kRounding = 1e-14;  // as part of the largest coordinate
   const std::size_t n = points.size();
   double length = 0, size = 0;
   for (std::size_t k = 0; k < n; ++k) {

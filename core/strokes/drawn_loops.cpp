@@ -15,7 +15,7 @@
 namespace talweg {
 namespace {
 
-std::string told_of(const ClosedLoop& loop) {
+std::string note_on_loop(const ClosedLoop& loop) {
   if (loop.cut > loop.gap) {
     return fmt::format(
         "A curve runs over its own beginning; {:.3g} mesh units at its ends were left out, and it "
@@ -26,7 +26,7 @@ std::string told_of(const ClosedLoop& loop) {
                      loop.gap);
 }
 
-std::string told_of_open(double gap) {
+std::string note_on_gap(double gap) {
   return fmt::format(
       "The ends of a curve lie {:.3g} mesh units apart; it is taken as open. If a loop is meant, "
       "close it.",
@@ -40,7 +40,7 @@ bool any_on(const PointLookup& points, const SnappedDrawing& drawing) {
                      [&](const WayPoint& way) { return is_on(way.point); });
 }
 
-/// What a loop leaves out of its stroke is no part of the drawing any more.
+/// Removes the marks of points that were cut off a stroke and lie on no curve of the drawing.
 void forget_marks(const PointLookup& gone, SnappedDrawing& drawing) {
   PointLookup left;
   for (const SurfaceCurve& curve : drawing.curves) left.add_all(curve.points);
@@ -62,7 +62,7 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     std::optional<ClosedLoop> loop = closed_loop(mesh, drawing.curves[c], lines, always);
     if (!loop) {
       if (const auto gap = gap_of_near_loop(mesh, drawing.curves[c])) {
-        drawing.told.push_back(told_of_open(*gap));
+        drawing.told.push_back(note_on_gap(*gap));
       }
       continue;
     }
@@ -72,10 +72,10 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     for (const SurfacePoint& point : stroke) {
       if (!kept.contains(point)) gone.add(point);
     }
-    // No click is lost.
+    // A loop without a clicked point or a pin is joined again from the whole stroke.
     if (any_on(gone, drawing)) loop = ClosedLoop{lines.join(stroke, true), loop->gap, 0};
     drawing.curves[c] = std::move(loop->curve);
-    if (!always || loop->cut > loop->gap) drawing.told.push_back(told_of(*loop));
+    if (!always || loop->cut > loop->gap) drawing.told.push_back(note_on_loop(*loop));
     forget_marks(gone, drawing);
   }
   return drawing;

@@ -11,11 +11,12 @@ namespace {
 
 constexpr std::size_t kFewest = 20, kFewestOutside = 3;  // samples
 constexpr double kRadii[] = {3, 1, 1.0 / 3};             // in usual distances of samples
-constexpr double kMoreThanUsual = 8;                     // times the samples
-constexpr double kBackAndForth = 4, kMovesOn = 1.0 / 3, kNearer = 0.5;  // of the width
-constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1.0 / 4000;   // of the way
+constexpr double kMoreThanUsual = 8;                     // times the usual number of samples
+constexpr double kBackAndForth = 4, kMovesOn = 1.0 / 3;  // as part of the crowd's width
+constexpr double kNearer = 0.5;                          // as part of the usual distance
+constexpr double kLongestStep = 1.0 / 16, kShortestStep = 1.0 / 4000;  // as part of the length
 
-/// A sample of a stroke, or a rest, which counts as one.
+/// A sample of a stroke, or a rest, which is one sample.
 struct Sample {
   Point at;
   HandRest points;
@@ -43,8 +44,8 @@ std::size_t median_of_samples_passed(std::span<const Point> samples, double step
   return *middle;
 }
 
-/// The usual distance of samples while the hand moves, up to a third; 0 where samples are too few,
-/// or too many, to tell.
+/// The usual distance of samples while the hand moves, correct up to a third; 0 if there are too
+/// few or too many samples for an estimate.
 double usual_distance(Samples samples) {
   std::vector<Point> at;
   for (const Sample& sample : samples) at.push_back(sample.at);
@@ -52,7 +53,7 @@ double usual_distance(Samples samples) {
   double step = kLongestStep * way;
   if (median_of_samples_passed(at, step) <= 1) return 0;
   while (step > kShortestStep * way && median_of_samples_passed(at, step) > 1) step /= 2;
-  return step > kShortestStep * way ? 1.5 * step : 0;  // it is 1 to 2 of them
+  return step > kShortestStep * way ? 1.5 * step : 0;  // the distance is 1 to 2 steps
 }
 
 Point mean_of(Samples samples) {
@@ -61,8 +62,9 @@ Point mean_of(Samples samples) {
   return sum / static_cast<double>(samples.size());
 }
 
-/// How many samples at the start lie around their mean, until one lies far outside, or several in a
-/// row outside.
+/// The number of samples at the start that lie around their mean: a crowd. The crowd ends before a
+/// sample farther than 2 `near` from the mean, or before several successive samples farther than
+/// `near`.
 std::size_t crowd_at_start(Samples samples, double near) {
   Point mean = samples[0].at;
   std::size_t size = 1, count = 1, outside = 0;
@@ -80,7 +82,7 @@ std::size_t crowd_at_start(Samples samples, double near) {
   return size;
 }
 
-/// Three times the median distance from the mean: almost all samples of a rest lie within.
+/// Three times the median distance from the mean, within which almost all samples of a rest lie.
 double radius_of(Samples samples, const Point& mean) {
   std::vector<double> distances;
   for (const Sample& sample : samples) distances.push_back((sample.at - mean).norm());
@@ -89,7 +91,7 @@ double radius_of(Samples samples, const Point& mean) {
   return 3 * *middle;
 }
 
-/// The crowd without samples at its ends that belong to the way there and on.
+/// The crowd without the samples at its ends on which the hand came and left.
 Samples without_ways(Samples samples) {
   for (int repeat = 0; repeat < 3; ++repeat) {
     const Point mean = mean_of(samples);
@@ -103,8 +105,8 @@ Samples without_ways(Samples samples) {
   return samples;
 }
 
-/// Whether the samples of a crowd are nearer to each other than usual, go back and forth, and do
-/// not move on.
+/// Whether the hand rests in a crowd: the samples are nearer to each other than usual, go back and
+/// forth, and have no drift.
 bool stands_still(Samples samples, double usual) {
   std::vector<double> steps;
   for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
@@ -119,7 +121,7 @@ bool stands_still(Samples samples, double usual) {
   return way_through(samples) >= kBackAndForth * width && moved <= kMovesOn * width;
 }
 
-/// A crowd as one sample, at the sample that is nearest to its mean, or at an end of the stroke.
+/// A crowd as one sample: an end of the stroke, or the sample nearest to the crowd's mean.
 Sample rest_of(Samples samples, bool has_start, bool has_end) {
   const Point mean = mean_of(samples);
   const auto nearest =
@@ -130,7 +132,7 @@ Sample rest_of(Samples samples, bool has_start, bool has_end) {
   return {kept.at, {samples.front().points.first, kept.points.kept, samples.back().points.last}};
 }
 
-/// The samples, where those of each rest have become one; the radius is in usual distances.
+/// The samples after each rest became one sample. `radius` is in usual distances of samples.
 std::vector<Sample> rested_within(Samples samples, double usual, double radius, bool closed) {
   const std::size_t fewest =
       std::max(kFewest, static_cast<std::size_t>(kMoreThanUsual * 2 * radius));
@@ -144,7 +146,7 @@ std::vector<Sample> rested_within(Samples samples, double usual, double radius, 
       left = left.subspan(before + rest.size());
       const bool has_start = !closed && rest.data() == samples.data();
       rested.push_back(rest_of(rest, has_start, !closed && left.empty()));
-    } else {  // a rest may begin later, but not each sample needs to be tried
+    } else {  // a rest may begin later; a part of the crowd is skipped, which saves time
       const std::size_t passed = std::max<std::size_t>(1, crowd.size() / fewest);
       rested.insert(rested.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(passed));
       left = left.subspan(passed);
@@ -153,8 +155,8 @@ std::vector<Sample> rested_within(Samples samples, double usual, double radius, 
   return rested;
 }
 
-/// The points inside faces, those at which the stroke turns, and its ends. At the others it crosses
-/// an edge.
+/// The samples of a stroke: its ends, the points inside faces, and the points at which it turns. At
+/// all other points the stroke crosses an edge.
 std::vector<Sample> samples_of(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {
   const std::vector<std::size_t> turning = turning_points(mesh.surface(), stroke);
   const std::size_t n = stroke.points.size();

@@ -16,19 +16,20 @@
 namespace talweg {
 namespace {
 
-constexpr double kFinest = 1.0 / 4000;    // of the stroke's length
-constexpr double kSamplesInBall = 8;      // the smallest ball, in distances of samples
-constexpr double kLargestBall = 1.0 / 6;  // of the length
+constexpr double kFinest = 1.0 / 4000;    // the step, as part of the stroke's length
+constexpr double kSamplesInBall = 8;      // diameter of the smallest ball, in distances of samples
+constexpr double kLargestBall = 1.0 / 6;  // diameter, as part of the length
 constexpr double kStillOfStroke = 1.0 / 3;
 constexpr double kMostOfStroke = 0.6, kLargestInEdges = 24, kNoWayInEdges = 12, kFewestEdges = 12;
 constexpr std::size_t kBalls = 128, kPointsInBall = 48, kFewestInBall = 8, kFewestBalls = 5;
 constexpr double kStill = 0.8, kRise = 1.2, kSteep = 2.2, kKnee = 1.8, kSmoothWay = 2.9;  // slopes
 constexpr std::size_t kFewestTurns = 6;
-constexpr std::size_t kParts = 8;              // of the stroke, at most
-constexpr double kLeastPart = 6, kChance = 2;  // balls; the ratio of two amplitudes
+constexpr std::size_t kParts = 8;  // the most parts of a stroke with amplitudes of their own
+constexpr double kLeastPart = 6;   // length of a part, in diameters of balls
+constexpr double kChance = 2;      // the least ratio of two different amplitudes
 
-/// The median distance between successive points at which the stroke turns, counted when they are
-/// a step from the last that counted. None where these are too few to be a trembling.
+/// The median distance between successive points at which the stroke turns. Points nearer than a
+/// step to the last counted point do not count. None if too few points count for a trembling.
 std::optional<double> sample_distance(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
                                       std::span<const Point> positions, double step) {
   std::vector<double> distances;
@@ -45,10 +46,11 @@ std::optional<double> sample_distance(const SurfaceMesh& mesh, const SurfaceCurv
   return *middle;
 }
 
-/// What lies connected in a ball: places of the stroke, counted on around a closed one.
+/// The connected part of a stroke in a ball around a place: a range of indices, which in a closed
+/// stroke may be negative or exceed the number of points.
 struct InBall {
   std::ptrdiff_t first = 0, last = 0;
-  bool whole = true;  ///< whether it leaves the ball on both sides
+  bool whole = true;  ///< whether the stroke leaves the ball on both sides
 };
 
 InBall in_ball(const EvenStroke& stroke, std::size_t centre, double radius) {
@@ -67,7 +69,7 @@ InBall in_ball(const EvenStroke& stroke, std::size_t centre, double radius) {
   return ball;
 }
 
-/// Root mean square of what the best cubic leaves, across the stroke in its mean tangent plane.
+/// The root mean square distance to the best cubic, across the stroke in its mean tangent plane.
 double residual_in(const EvenStroke& stroke, const InBall& ball) {
   const auto n = static_cast<std::ptrdiff_t>(stroke.at.size());
   const auto count = static_cast<std::size_t>(ball.last - ball.first + 1);
@@ -104,17 +106,18 @@ double residual_in(const EvenStroke& stroke, const InBall& ball) {
   return (offsets - powers * cubic).norm() / std::sqrt(static_cast<double>(points.size()));
 }
 
-/// A cubic takes four of the degrees of freedom that the samples in a ball have.
+/// The correction of a residual for the four degrees of freedom of the cubic. `samples`: samples in
+/// the ball.
 double of_freedom(double samples) { return std::sqrt(samples / (samples - 4)); }
 
-/// Residuals of balls at places that are evenly spread over the stroke, scale by scale.
+/// The residuals of balls at places evenly spread over the stroke, for each scale.
 struct Residuals {
   std::vector<double> scales;
-  double largest_still = 0;     ///< up to here it counts where r(s) stands still
-  double largest_as_it_is = 0;  ///< up to here r(s) counts though it does not stand still
-  std::vector<std::vector<double>> balls;  ///< per scale; NaN where a ball is not within the stroke
+  double largest_still = 0;     ///< the largest scale at which a standstill of r(s) counts
+  double largest_as_it_is = 0;  ///< the largest scale at which r(s) counts without a standstill
+  std::vector<std::vector<double>> balls;  ///< per scale; NaN for a ball at an end of the stroke
 
-  /// r(s) for the balls [first, last) of the places, as far as enough of them are known.
+  /// r(s) of the balls [first, last), one per scale, up to the first scale with too few residuals.
   [[nodiscard]] std::vector<double> medians(std::size_t first, std::size_t last) const;
 };
 
@@ -153,12 +156,12 @@ double compass_length(const EvenStroke& stroke, double step) {
 Residuals residuals_of(const EvenStroke& stroke, double apart, double edge) {
   Residuals result;
   const double smallest = std::max(kSamplesInBall * apart, 2 * kFewestInBall * stroke.step);
-  // Without the ways that the smallest balls do not see.
+  // The length without detail smaller than the smallest balls.
   const double length = compass_length(stroke, smallest / 2);
   result.largest_as_it_is = kNoWayInEdges * edge;
   result.largest_still = std::max(kStillOfStroke * length, kNoWayInEdges * edge);
-  const bool is_fine =
-      length < kFewestEdges * edge;  // finer than the mesh, which says nothing then
+  // A short stroke is finer than the mesh, so edges say nothing about its trembling.
+  const bool is_fine = length < kFewestEdges * edge;
   const double largest =
       std::max(kLargestBall * length,
                is_fine ? 0 : std::min(kMostOfStroke * length, kLargestInEdges * edge));
@@ -173,11 +176,11 @@ Residuals residuals_of(const EvenStroke& stroke, double apart, double edge) {
 
 struct AtScale {
   double scale, residual;
-  bool is_still = false;  ///< whether it stands still there after a rise
+  bool is_still = false;  ///< whether r(s) stands still at the scale after a rise
 };
 
-/// The slope of r(s) over one scale; without what a device adds, which stands still at once, where
-/// r is far enough above that.
+/// The slope d log r / d log s from scale k to the next. Where r is far enough above the residual
+/// `of_device` of the sensor's noise, the square of `of_device` is subtracted from r².
 double slope_at(const Residuals& residuals, std::span<const double> r, std::size_t k,
                 double of_device = 0) {
   constexpr double kFarAbove = 1.25;
@@ -189,7 +192,7 @@ double slope_at(const Residuals& residuals, std::span<const double> r, std::size
   return std::log(to / from) / std::log(residuals.scales[k + 1] / residuals.scales[k]);
 }
 
-/// Where r(s) stands still, as hand_trembling() says.
+/// The scale at which r(s) stands still, by the rules of hand_trembling().
 std::optional<AtScale> standstill(const Residuals& residuals, std::span<const double> r) {
   const std::vector<double>& scales = residuals.scales;
   std::optional<AtScale> noise, knee, last;
@@ -221,8 +224,8 @@ std::optional<AtScale> standstill(const Residuals& residuals, std::span<const do
   return steepest < kRise ? std::nullopt : last;
 }
 
-/// Amplitudes of the balls [first, last), where a hand is one in one half of them and another in
-/// the other.
+/// Appends the amplitudes of the parts of the balls [first, last). Two halves with different
+/// amplitudes are divided further; otherwise all parts have the amplitude of `whole`.
 void add_parts(const Residuals& residuals, double length, std::size_t first, std::size_t last,
                const AtScale& whole, std::vector<double>& along) {
   const std::size_t middle = (first + last) / 2;
@@ -245,7 +248,7 @@ void add_parts(const Residuals& residuals, double length, std::size_t first, std
   along.insert(along.end(), parts, std::numbers::sqrt3 * whole.residual);
 }
 
-/// Empty where the hand is the same all along.
+/// The amplitudes of kParts parts of the stroke; empty if all are equal.
 std::vector<double> amplitudes_along(const Residuals& residuals, double length,
                                      const AtScale& whole) {
   std::vector<double> along;

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double kGapOfSlack = 2, kGapOfEdge = 1, kGapOfSamples = 1.5;
 constexpr double kGapOfLength = 1.0 / 12, kEndOfLength = 1.0 / 6;
-constexpr double kSameWay = 0.25;     // cosine
-constexpr double kGapCounts = 4;      // as much as so much that is cut off
-constexpr std::size_t kPlaces = 200;  // looked at near either end
+constexpr double kSameWay = 0.25;     // cosine of the largest turn at the join
+constexpr double kGapCounts = 4;      // cost of a gap, per cost of the same length cut off
+constexpr std::size_t kPlaces = 200;  // about the most places to try near either end
 
-/// The direction over a stretch as long as `reach`, before or after a place.
+/// The unit direction of the stretch before or after a place, up to a point `reach` away.
 Point direction(std::span<const Point> at, std::size_t place, bool before, double reach) {
   std::size_t other = place;
   while (before ? other > 0 : other + 1 < at.size()) {
@@ -32,14 +32,14 @@ Point direction(std::span<const Point> at, std::size_t place, bool before, doubl
   return way.normalized();
 }
 
-/// Whether a loop from the place `end` to the place `start` goes on in about the same direction.
+/// Whether a loop that is joined from place `end` to place `start` keeps about its direction.
 bool goes_on(std::span<const Point> at, std::size_t start, std::size_t end, double reach) {
   const Point in = direction(at, end, true, reach), out = direction(at, start, false, reach);
   if (in.dot(out) < kSameWay) return false;
   return (at[start] - at[end]).dot(in) > -kSameWay * reach;
 }
 
-/// The ends of a stroke, and which places near them belong together.
+/// The ends of a stroke, and the places near them at which they can be joined.
 class Ends {
  public:
   Ends(const SurfaceMesh& mesh, const SurfaceCurve& stroke)
@@ -64,7 +64,7 @@ class Ends {
   struct Pair {
     std::size_t start = 0, end = 0;
   };
-  /// The places near the ends that are to be joined; none where the hand meant no loop.
+  /// The places near the ends to be joined; none if the hand meant no loop.
   [[nodiscard]] std::optional<Pair> meeting() const {
     std::optional<Pair> best;
     double least = HUGE_VAL;

@@ -10,8 +10,10 @@
 namespace talweg {
 namespace {
 
-constexpr double kParallel = 0.82, kBeside = 0.57, kDrawsTogether = 1.0 / 3;  // 35 degrees
-constexpr std::size_t kOn = 8;  // steps on, where the gap is looked at again
+constexpr double kParallel = 0.82;  // the least cosine between strands: 35 degrees
+constexpr double kBeside = 0.57;    // the largest cosine between a strand and the way across
+constexpr double kDrawsTogether = 1.0 / 3;  // the largest change of the gap, per length
+constexpr std::size_t kOn = 8;              // steps back and forth at which the gap is compared
 
 class Strands {
  public:

@@ -17,11 +17,11 @@
 namespace talweg {
 namespace {
 
-constexpr double kStep = 0.25, kTooNear = kStep / 2;  // of the trembling
-constexpr double kHook = 0.5, kEnd = 2.5;             // of the trembling
-constexpr std::size_t kRest = 8;                      // times as many points as usual
+// Lengths as parts of the trembling.
+constexpr double kStep = 0.25, kTooNear = kStep / 2, kHook = 0.5, kEnd = 2.5;
+constexpr std::size_t kRest = 8;  // points in a step of a rest, per usual number of points
 
-/// Whether points at which the stroke turns lie nearer to each other than they can say anything.
+/// Whether successive points at which the stroke turns lie nearer to each other than `near`.
 bool is_too_fine(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
                  std::span<const Point> positions, double near) {
   const std::vector<std::size_t> turning = turning_points(mesh.surface(), stroke);
@@ -30,7 +30,8 @@ bool is_too_fine(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
          }) != turning.end();
 }
 
-/// How many points an end hooks back: where the way out of its ball begins, seen from there.
+/// The number of points of a hook at the start, 0 without a hook. The hook ends at the point that
+/// lies farthest back, seen in the direction in which the stroke leaves a ball around its start.
 std::size_t hook_at_start(std::span<const Point> positions, double trembling) {
   const Point& end = positions.front();
   std::size_t out = 0;
@@ -51,9 +52,9 @@ std::pair<std::size_t, std::size_t> hooks_of(std::vector<Point> positions, doubl
   return {start, ends.end ? hook_at_start(positions, trembling) : 0};
 }
 
-/// Takes out the ways of a strip that lead back to a face in which it was before.
+/// Removes the parts of a strip that return to an earlier face.
 void erase_loops(const Surface& surface, FaceId first, FaceStrip& strip) {
-  std::unordered_map<FaceId, std::size_t> entered{{first, 0}};  // the crossings before a face
+  std::unordered_map<FaceId, std::size_t> entered{{first, 0}};  // face, number of edges before it
   std::vector<FaceId> faces{first};
   std::size_t kept = 0;
   for (const HalfedgeId h : FaceStrip(strip)) {
@@ -71,7 +72,8 @@ void erase_loops(const Surface& surface, FaceId first, FaceStrip& strip) {
   strip.resize(kept);
 }
 
-/// Joins places of a stroke by straight lines through the faces that lie between them.
+/// Joins places of a stroke by straight lines through the faces that the stroke passes between
+/// them.
 class Joiner {
  public:
   Joiner(const Surface& surface, const SurfaceCurve& stroke)
@@ -119,7 +121,8 @@ class Joiner {
     return {piece.face, piece.at(place.part)};
   }
 
-  /// The line to the next place, or to the first one of a closed stroke.
+  /// Adds the line to the next place, or, if `next` is null, to the first place of a closed stroke.
+  /// False if there is no straight line.
   bool add_line(const PolylinePlace& from, const PolylinePlace* next, const PolylinePlace& first) {
     const PolylinePlace& to = next != nullptr ? *next : first;
     const auto begin = static_cast<std::ptrdiff_t>(trace_.pieces[from.segment].crossed);
@@ -187,7 +190,7 @@ double farthest_from(const SurfaceMesh& mesh, const SurfaceCurve& curve,
   return farthest;
 }
 
-/// All points of a stroke but those of its rests.
+/// All points of a stroke without its rests, each of which keeps one point.
 std::vector<PolylinePlace> places_beside(std::span<const HandRest> rests,
                                          std::span<const Point> positions, bool closed) {
   std::vector<PolylinePlace> places;
@@ -233,7 +236,8 @@ CleanedStroke without_trembling(const SurfaceMesh& mesh, const SurfaceCurve& str
   return *std::move(cleaned);
 }
 
-/// The places of a stroke that was cleaned twice, on the one that was given.
+/// The places on the given stroke of a stroke that was cleaned twice. `once`: places of the first
+/// cleaning on the given stroke; `twice`: places of the second one on the result of the first.
 std::vector<double> places_on_given(std::span<const double> once, std::span<const double> twice,
                                     std::size_t given_points) {
   std::vector<double> places;

@@ -13,16 +13,15 @@
 namespace talweg {
 namespace {
 
-constexpr double kStraight = 0.1;            // rad
-constexpr double kZigzag = 0.2, kRound = 1;  // rad
+constexpr double kStraight = 0.1, kZigzag = 0.2, kRound = 1;  // radians
 constexpr double kOfSegment = 0.7, kMostOfLength = 1.0 / 24;
 constexpr double kLeastOfLength = kMostOfLength / 10, kLeastOfEdge = 0.1;
 constexpr double kMostOfEdge = 8 * kOfSegment;
 constexpr double kOfGap = 0.25, kApart = 6, kLeastGap = 0.25;
 
-/// Lengths between successive points where the curve has turned, either at one point or gradually
-/// since the last. A segment that ends in a smaller turn counts less, because the zigzag is that
-/// much narrower.
+/// Lengths between successive points at which the curve has turned, at one point or gradually since
+/// the last such point. A segment that ends in a small turn counts less in proportion to the turn,
+/// since its zigzag is narrower.
 std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& curve) {
   const std::size_t n = curve.points.size();
   const auto point = [&](std::size_t i) -> const SurfacePoint& { return curve.points[i % n]; };
@@ -30,7 +29,7 @@ std::vector<double> segment_lengths(const Surface& surface, const SurfaceCurve& 
     const PointTurn found = turn_of(surface, point(i + n - 1), point(i), point(i + 1));
     return found.toward_left < 0 ? -found.angle : found.angle;
   };
-  std::size_t first = 0;  // for a closed curve, a point where it turns, if there is one
+  std::size_t first = 0;  // in a closed curve, the first point at which it turns, if any
   while (curve.closed && first + 1 < n && std::abs(turn(first)) <= kStraight) ++first;
   if (first + 1 == n) first = 0;
   std::vector<double> lengths{0};
@@ -69,7 +68,7 @@ bool runs_along_edges(const Surface& surface, const SurfaceCurve& curve) {
   return along > all / 2;
 }
 
-/// The part of the curve's length that lies before each point; and 1.
+/// The part of the curve's length before each point, from 0; in a closed curve also 1 at the end.
 std::vector<double> parts_of_length(const SurfaceMesh& mesh, const SurfaceCurve& curve) {
   const std::vector<Point> positions = positions_of(mesh, curve);
   const std::size_t n = positions.size();
@@ -82,7 +81,8 @@ std::vector<double> parts_of_length(const SurfaceMesh& mesh, const SurfaceCurve&
   return parts;
 }
 
-/// The last point of an open curve is at 1, which is not 0.
+/// The slack at a part of the curve's length, interpolated between the middles of the parts in
+/// `slack.along`. In a closed curve, 1 is the same place as 0.
 double at_part(const StrokeSlack& slack, double part, bool closed) {
   const auto n = static_cast<double>(slack.along.size());
   double place = (closed ? part - std::floor(part) : part) * n - 0.5;
@@ -104,8 +104,8 @@ StrokeSlack moved_along(const StrokeSlack& slack, bool closed, const Move& from)
   return moved;
 }
 
-/// The slack, but no more than a quarter of the way to another part of the stroke that runs beside
-/// it. What comes nearer than `least` is the hand, and no feature of the drawing.
+/// The slack, but no more than a quarter of the distance to another part of the stroke that runs
+/// beside. A distance below `least` is the hand's, and no feature of the drawing.
 double beside_strands(const SurfaceMesh& mesh, const SurfaceCurve& stroke, double slack,
                       double least) {
   if (!(slack > 0)) return slack;
@@ -113,13 +113,14 @@ double beside_strands(const SurfaceMesh& mesh, const SurfaceCurve& stroke, doubl
       slack, kOfGap * strand_gap(mesh, stroke, slack / 2, kApart * slack, least, slack / kOfGap));
 }
 
-/// The slack of the longest stroke; it is the same all along unless that is the only one.
+/// The slack of a stroke. The slack varies along the stroke only if the stroke is the only one.
 StrokeSlack slack_of_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke, bool is_only,
                             double edge) {
   const Surface& surface = mesh.surface();
   if (runs_along_edges(surface, stroke)) {
     const double slack = std::min(slack_of_segments(surface, stroke), kMostOfEdge * edge);
-    // A path along edges that zigzags is as narrow as these are; one that runs straight may be a U.
+    // A zigzag along edges limits the slack by its segments. A path that runs straight along edges
+    // may be a narrow U, so the gap between its strands limits the slack.
     const bool is_straight = slack == kMostOfEdge * edge;
     return {is_straight ? beside_strands(mesh, stroke, slack, kLeastGap * edge) : slack,
             SlackSource::kEdges,
@@ -136,7 +137,7 @@ StrokeSlack slack_of_stroke(const SurfaceMesh& mesh, const SurfaceCurve& stroke,
     return std::clamp(slack, least, kMostOfLength * length);
   };
   const double wide = within(found->amplitude);
-  // Two strands that are meant as one may lie an amplitude on either side of it.
+  // Two strands meant as one line may lie an amplitude away on either side of the line.
   StrokeSlack slack{beside_strands(mesh, stroke, wide, 2 * wide), SlackSource::kTrembling, {}};
   if (!is_only) return slack;
   for (const double amplitude : found->along) {

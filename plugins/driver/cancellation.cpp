@@ -13,8 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Time of the first interrupt; 0 if none came. Any thread may read it; it is lock-free for signal
-// handlers.
+// The time of the first interrupt; 0 without an interrupt. Any thread may read the variable, which
+// is lock-free for signal handlers.
 std::atomic<std::int64_t> g_interrupted_at = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 

@@ -32,7 +32,7 @@ struct CompareCommandOptions {
   std::string mesh_units;
 };
 
-/// Writes the curves of each method that has a result, as PREFIX-METHOD.json; numbered in a sweep.
+/// Writes the curves of each method with a result as PREFIX-METHOD.json. A sweep numbers the files.
 void write_results(const std::string& prefix, const Comparison& c) {
   std::vector<std::size_t> count(c.methods.size(), 0);
   for (const ComparedRun& run : c.runs) {

@@ -1,4 +1,4 @@
-// talweg completion: what bash, zsh and fish complete, made from the commands' own tables.
+// talweg completion: scripts by which bash, zsh and fish complete the commands and their options.
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ namespace talweg::driver {
 namespace {
 
 struct Word {
-  std::string name;  ///< of a command, or of an option with its dashes
+  std::string name;  ///< a command, or an option with its dashes
   std::string text;
   bool takes_value = false;
 };
@@ -22,7 +22,7 @@ struct CommandWords {
   std::vector<Word> options;
 };
 
-/// The first clause, in single quotes of any of the shells.
+/// The first clause of a text, in single quotes that all three shells understand.
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text.substr(0, text.find_first_of(".;:(\n"))) {
@@ -46,7 +46,7 @@ void add_options(const CLI::App& app, std::vector<Word>& words) {
   }
 }
 
-/// The commands of the help, with their options and the app's, which each takes.
+/// The commands of the help. Each command has its own options and those of the app.
 std::vector<CommandWords> commands_of(const CLI::App& app) {
   std::vector<CommandWords> all;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -156,7 +156,7 @@ Command add_completion(CLI::App& app, const GlobalOptions&) {
   auto shell = std::make_shared<std::string>();
   CLI::App* command =
       app.add_subcommand("completion", "Print what a shell completes: bash, zsh or fish");
-  command->group("");  // of packages rather than of users
+  command->group("");  // packages call the command rather than users
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));

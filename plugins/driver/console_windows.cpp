@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <io.h>
 #include <windows.h>
-// Needs the types of the header above.
+// This header needs the types of the header above.
 #include <shellapi.h>
 
 #include "console.hpp"
@@ -11,13 +11,13 @@
 namespace talweg::driver {
 namespace {
 
-UINT g_code_page = 0;  // of the console, which outlives the program
+UINT g_code_page = 0;  // the console's own, restored at the end: the console outlives the program
 void (*g_act)() = nullptr;
 
 void put_code_page_back() { SetConsoleOutputCP(g_code_page); }
 
-/// Called on a thread of its own. When a console is closed, the process ends as soon as this
-/// returns, so the work gets time to end in order.
+/// The system calls the handler on a thread of its own. When a console is closed, the process ends
+/// as soon as the handler returns, so the handler gives the work time to end in order.
 BOOL WINAPI on_event(DWORD event) {
   constexpr DWORD kTimeToEndMs = 4000;  // the system waits for 5 s
   g_act();
@@ -48,7 +48,7 @@ std::vector<std::string> command_line(int /*argc*/, char** /*argv*/) {
   return line;
 }
 
-/// NUL is a device, but no terminal.
+/// Whether a stream is a terminal. NUL is a device, but no terminal.
 bool is_terminal(std::FILE& stream) {
   DWORD mode = 0;
   return GetConsoleMode(reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(&stream))), &mode) != 0;

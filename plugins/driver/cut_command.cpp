@@ -69,13 +69,14 @@ PartOptions part_options(const CutCommandOptions& o) {
   return parts;
 }
 
-/// A curve that only becomes edges may end anywhere.
-std::optional<LedCurves> led_curves(const CutCommandOptions& o) {
+/// Ends are extended to the border only where a seam is opened: a curve that only becomes edges may
+/// end anywhere.
+std::optional<ExtendedCurves> extended_curves(const CutCommandOptions& o) {
   const bool snap = border_ends(o.border) == BorderEnds::kSnap;
-  return snap && part_options(o).opens() ? std::optional(LedCurves::kAll) : std::nullopt;
+  return snap && part_options(o).opens() ? std::optional(ExtendedCurves::kAll) : std::nullopt;
 }
 
-/// The part of the outputs' names before the pieces' numbers.
+/// The part of the outputs' names before the numbers of the pieces.
 std::string split_prefix(const CutCommandOptions& o) {
   const std::filesystem::path path(o.output);
   return (path.parent_path() / (path.stem().string() + "-")).string();
@@ -100,15 +101,15 @@ class Cutting {
 
   const CutCommandOptions& o_;
   Progress progress_;
-  MeshAttributes attributes_;  // of the file's mesh
+  MeshAttributes attributes_;  // the attributes of the file's mesh
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
-  CutMesh cut_;  // without lists: the parts have them
+  CutMesh cut_;  // without lists, which the parts have
   MeshParts made_;
   double cut_ms_ = 0;
-  std::vector<std::size_t> faces_;     // that were written, of each part
-  std::vector<std::string> left_out_;  // sentences, one for each format
+  std::vector<std::size_t> faces_;     // number of written faces, per part
+  std::vector<std::string> left_out_;  // sentences on attributes, one per format
 };
 
 Cutting::Cutting(const CutCommandOptions& options, Progress progress)
@@ -117,21 +118,21 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
       read_(read_and_repair(options.mesh, options.repair, attributes_)),
       mesh_(SurfaceMesh::open(read_.lists)) {
   DrawingReader reader(mesh_, read_.map.get());
-  reader.set_ends(curve_ends(options.ends), led_curves(options));
+  reader.set_ends(curve_ends(options.ends), extended_curves(options));
   drawing_ = reader.read(o_.curves, with_unit(read_.lists.frame(), options.mesh_units), progress_);
   const Stopwatch watch;
   cut_ = cut_along(mesh_, drawing_.curves, {o_.merge}, progress_);
   cut_.lists.single_precision = read_.lists.single_precision;
   made_ = take_apart(mesh_, std::move(cut_), attributes_, part_options(o_), progress_);
   for (MeshPart& part : made_.parts) part.lists.space = read_.lists.space;
-  attributes_ = {};  // the parts have them
+  attributes_ = {};  // the parts have the attributes
   cut_ms_ = watch.ms();
   if (!made_.left_out.empty()) {
     left_out_.push_back(fmt::format("Not carried over: {}.", fmt::join(made_.left_out, ", ")));
   }
 }
 
-/// With --split "out.ply" becomes "out-0.ply", "out-1.ply", ...
+/// The outputs' names: with --split, "out.ply" becomes "out-0.ply", "out-1.ply", ...
 std::string Cutting::path_of(std::size_t part) const {
   if (!o_.split) return o_.output;
   return fmt::format("{}{}{}", split_prefix(o_), part,
@@ -153,7 +154,7 @@ std::string Cutting::map_json(const std::vector<PartOrigins>& origins) const {
   return cut_map_json(origins, files);
 }
 
-/// With --polygons a face comes from that of its first triangle.
+/// The origins of the written faces. With --polygons, a face has the origin of its first triangle.
 std::vector<FaceOutlines> Cutting::outlines(std::vector<PartOrigins>& origins) const {
   std::vector<FaceOutlines> all;
   for (std::size_t k = 0; k < made_.parts.size() && o_.polygons; ++k) {

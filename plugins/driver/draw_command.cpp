@@ -14,11 +14,11 @@
 #include "repaired_mesh.hpp"
 #include "ridge_options.hpp"
 #include "talweg/core/drawing/draw.hpp"
+#include "talweg/core/drawing/marked_points.hpp"
 #include "talweg/core/drawing/placed_curve.hpp"
 #include "talweg/core/drawing/point_marks.hpp"
 #include "talweg/core/drawing/snapping.hpp"
 #include "talweg/core/drawing/straight_lines.hpp"
-#include "talweg/core/drawing/taken_points.hpp"
 #include "talweg/core/io/click_file.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
@@ -33,7 +33,7 @@ namespace {
 struct Options {
   std::string mesh;
   std::vector<std::uint32_t> through;
-  std::string clicks;  ///< a file, instead
+  std::string clicks;  ///< a file of clicks, instead of vertices
   bool closed = false;
   bool straight = false, edges = false;
   std::vector<std::string> outputs;
@@ -45,13 +45,13 @@ struct Options {
   RidgeChoice ridges;
 };
 
-/// The points to draw through, on the mesh.
+/// The points of the mesh through which the curve is drawn.
 struct Clicks {
   std::vector<SurfacePoint> points;
   bool closed = false;
-  std::vector<std::string> told;  ///< sentences on how they were read
-  bool far = false;               ///< whether the first of these is a warning
-  std::vector<std::string> led;   ///< sentences on ends that were led to the border
+  std::vector<std::string> told;      ///< sentences on how they were read
+  bool far = false;                   ///< whether the first sentence is a warning
+  std::vector<std::string> extended;  ///< sentences on ends that were extended to the border
 };
 
 /// The way-points, in the numbers of the mesh.
@@ -75,7 +75,7 @@ Clicks given_vertices(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   return clicks;
 }
 
-/// The points of the file, each at the nearest point of the mesh.
+/// The points of the file, moved to the nearest points of the mesh.
 Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Options& options,
                       const CoordinateFrame& frame, const Progress& progress) {
   CurveInput input = read_clicks(options.clicks, frame);
@@ -120,22 +120,23 @@ Drawing path_through(const SurfaceMesh& mesh, const Clicks& clicks, const Option
   return draw(mesh.surface(), clicks.points, own, progress);
 }
 
-/// Another click on the border beyond each end of the path that stops a little before it. Returns
-/// whether there is one.
+/// Adds a click on the border beyond each end of the path that stops a little before the border.
+/// Returns whether a click was added.
 bool lead_to_border(const SurfaceMesh& mesh, const SurfaceCurve& path, Clicks& clicks) {
   SnappedDrawing drawing;
   drawing.curves.push_back(path);
   StraightLines lines(mesh.surface());
   drawing = with_ends_at_border(mesh, std::move(drawing), lines);
-  const std::vector<SurfacePoint>& led = drawing.curves.front().points;
-  if (led.front() != path.points.front()) clicks.points.insert(clicks.points.begin(), led.front());
-  if (led.back() != path.points.back()) clicks.points.push_back(led.back());
-  clicks.led = std::move(drawing.told);
-  return !clicks.led.empty();
+  const std::vector<SurfacePoint>& extended = drawing.curves.front().points;
+  if (extended.front() != path.points.front())
+    clicks.points.insert(clicks.points.begin(), extended.front());
+  if (extended.back() != path.points.back()) clicks.points.push_back(extended.back());
+  clicks.extended = std::move(drawing.told);
+  return !clicks.extended.empty();
 }
 
-/// Moves a drawing and its way-points onto ridges, with a sentence on that. `marks` are the marks
-/// of its points.
+/// Moves a drawing and its way-points onto ridges, and adds a sentence on the moves. `marks`: the
+/// marks of the drawing's points.
 void move_to_ridges(const SurfaceMesh& mesh, const RidgeChoice& choice, Drawing& drawing,
                     std::vector<double>& marks, Clicks& clicks, const Progress& progress) {
   if (choice.strength == 0) return;
@@ -143,7 +144,7 @@ void move_to_ridges(const SurfaceMesh& mesh, const RidgeChoice& choice, Drawing&
                                            {drawing.way_points, {}}, choice.options(), progress);
   drawing.curve = std::move(ridged.curves.front());
   if (!drawing.way_points.empty()) marks = marks_of_points(drawing.curve, ridged.points);
-  clicks.led.push_back(ridged.moves.front().sentence(0));
+  clicks.extended.push_back(ridged.moves.front().sentence(0));
 }
 
 ReadyCurve drawn(const SurfaceMesh& mesh, Clicks& clicks, const Options& options,
@@ -162,7 +163,8 @@ ReadyCurve drawn(const SurfaceMesh& mesh, Clicks& clicks, const Options& options
   return made;
 }
 
-/// Tells how clicks of a file were read; first and on the standard error that they lie far away.
+/// Prints the sentences on how the clicks of a file were read. A warning that the clicks lie far
+/// away comes first, and on the standard error.
 void tell_clicks(const Clicks& clicks, bool quiet) {
   clear_progress_bar();
   for (std::size_t k = 0; k < clicks.told.size() && !quiet; ++k) {
@@ -174,7 +176,7 @@ void tell_clicks(const Clicks& clicks, bool quiet) {
   }
 }
 
-/// Says of which files the points are a stroke, because the format has no way-points.
+/// Prints the names of the files whose points are a stroke because the format has no way-points.
 void tell_strokes(const Options& options) {
   std::string names;
   for (const std::string& output : options.outputs) {
@@ -209,7 +211,7 @@ int run(const Options& options, const GlobalOptions& global) {
                         : clicks_of_file(mesh, read.map.get(), options, frame, progress);
     ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
     tell_clicks(clicks, global.quiet);
-    told = std::move(clicks.led);
+    told = std::move(clicks.extended);
     if (made.spacing) told.push_back(spacing_text(made));
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {

@@ -32,7 +32,7 @@ SnappedDrawing DrawingReader::read(std::span<const std::string> paths, const Coo
     }
   }
   drawing = with_loops_closed(*mesh_, std::move(drawing), *lines_, ends_);
-  if (led_) drawing = with_ends_at_border(*mesh_, std::move(drawing), *lines_, *led_);
+  if (extended_) drawing = with_ends_at_border(*mesh_, std::move(drawing), *lines_, *extended_);
   return drawing;
 }
 

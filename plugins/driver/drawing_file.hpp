@@ -30,9 +30,9 @@ class DrawingReader {
       : mesh_(&mesh), map_(map) {}
   /// Sets how the ends of curves read after this call are treated (open by default), and the curves
   /// whose ends are extended to the border (none by default).
-  void set_ends(CurveEnds ends, std::optional<LedCurves> led) {
+  void set_ends(CurveEnds ends, std::optional<ExtendedCurves> extended) {
     ends_ = ends;
-    led_ = led;
+    extended_ = extended;
   }
   /// The curves of all files, in their order; `frame` is that of the mesh. Throws Cancelled, and
   /// Error as read_curves(), snap() and StraightLines::join() do, with a hint if welding may help.
@@ -48,7 +48,7 @@ class DrawingReader {
   std::optional<ClosestPoint> closest_;
   std::optional<StraightLines> lines_;
   CurveEnds ends_ = CurveEnds::kOpen;
-  std::optional<LedCurves> led_;
+  std::optional<ExtendedCurves> extended_;
   std::optional<std::string> weld_hint_;  ///< made when a curve is first rejected
 };
 

@@ -28,7 +28,7 @@ fs::path behind_links(fs::path path) {
        ++k) {
     const fs::path target = fs::read_symlink(path, failed);
     if (failed) break;
-    path = path.parent_path() / target;  // an absolute target replaces it
+    path = path.parent_path() / target;  // an absolute target replaces the path
   }
   return path;
 }
@@ -168,12 +168,12 @@ void FilePlan::check_collisions() const {
   }
 }
 
-/// Finds outputs that do not exist yet and would have the name of a numbered one.
+/// Finds outputs that do not exist yet and would have the name of a numbered output.
 void FilePlan::check_numbered() const {
   for (const Numbered& numbered : numbered_) {
     bool device = false;
     const Identity folder = identity_of(numbered.folder, device);
-    if (!folder.way.empty()) continue;  // check_target() finds that it is missing
+    if (!folder.way.empty()) continue;  // check_target() reports the missing folder
     for (std::size_t k = 0; k < outputs_.size(); ++k) {
       const File& other = outputs_[k];
       if (k == numbered.output || other.identity.way.empty()) continue;
@@ -210,7 +210,7 @@ void FilePlan::check_target(const File& output, TriedNames& tried) const {
       return;
     }
   }
-  // Trying creates a file. Once for each folder is enough, unless a name is longer.
+  // A trial creates a file. One trial per folder is enough, unless another name is longer.
   const fs::path path(output.path);
   const auto status = file_status(path);
   std::size_t& longest = tried[fs::absolute(path, failed).parent_path().string()];

@@ -26,8 +26,8 @@ struct Descriptor {
 
 [[noreturn]] void failed(const std::string& path) { cannot_write(path, reason_of(errno)); }
 
-/// Opens an existing file that is not a regular one. Opening a pipe would wait for a reader and
-/// ignore signals, so it is retried without waiting.
+/// Opens an existing file that is no regular file. To open a pipe would wait for a reader and
+/// ignore signals, so opening is tried again and again without waiting.
 int open_in_place(const std::string& path, bool pipe) {
   for (;;) {
     const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | (pipe ? O_NONBLOCK : 0));
@@ -38,7 +38,7 @@ int open_in_place(const std::string& path, bool pipe) {
   }
 }
 
-/// Writes at most as much at once as a ready pipe takes without blocking.
+/// Writes in pieces that a ready pipe takes without blocking.
 void put(int file, FileKind kind, std::string_view bytes, const std::string& path) {
   const std::size_t most = kind == FileKind::kRegular ? std::size_t{1} << 20 : PIPE_BUF;
   while (!bytes.empty()) {

@@ -1,4 +1,4 @@
-// talweg info: what a mesh is, and what is wrong with it.
+// talweg info: the size, the topology and the defects of a mesh.
 #include <cstdio>
 #include <optional>
 #include <string>

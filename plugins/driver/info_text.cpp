@@ -13,7 +13,7 @@
 namespace talweg::driver {
 namespace {
 
-/// 1,234,567
+/// A number with commas: 1,234,567.
 std::string grouped(std::size_t n) {
   std::string digits = std::to_string(n);
   for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, 1, ',');
@@ -71,7 +71,8 @@ std::string line(const char* label, const std::string& value) {
   return fmt::format("{:<18}{}\n", label, value);
 }
 
-/// "22,117, 3 of them concave, 12 not plane (by up to 0.02 of their size, face 7)"
+/// The counts of polygons: "22,117, 3 of them concave, 12 not plane (by up to 0.02 of their size,
+/// face 7)"
 std::string polygon_line(const MeshInspection& m) {
   if (m.polygons == 0) return "";
   const PolygonShapes& shapes = m.polygon_shapes;

@@ -54,7 +54,7 @@ struct LabelsOptions {
   std::optional<double> budget, budget_work;
 };
 
-/// What was given, without what reading took.
+/// The budget of the options, minus the time `ms` that reading took.
 Budget budget_of(const LabelsOptions& o, double ms) {
   constexpr double kUsedUp = 1e-9;
   const std::vector<talweg_parameter> descriptions = plugins::budget_parameters();
@@ -70,8 +70,8 @@ Budget budget_of(const LabelsOptions& o, double ms) {
   return budget;
 }
 
-/// Labels for the faces of the file. A face that the repair dropped has its old label; if labels
-/// are per vertex, that of its first corner.
+/// The labels of the file's faces. A face that the repair dropped has its old label, or, if labels
+/// are per vertex, the old label of its first corner.
 std::vector<std::int64_t> of_file_faces(const std::vector<std::int64_t>& labels,
                                         const RepairMap* map, const ReadLabels& read,
                                         const std::string& mesh) {
@@ -152,7 +152,7 @@ std::string summary_of(const LabelNetwork& network, double ms) {
 }
 
 /// Writes the cut mesh with the attributes of its file, and with the labels as a property of its
-/// faces if the format has one. Takes the lists of the cut.
+/// faces if the format has such properties. Moves the lists out of the cut.
 void write_cut(const std::string& path, LabelNetwork& network, const SurfaceMesh& mesh,
                const MeshAttributes& of_file) {
   MeshPart part = std::move(take_apart(mesh, std::move(network.cut), of_file, {}).parts.front());

@@ -35,7 +35,7 @@ int printed(int code) {
   return fail(kBadInput, "What was to be printed could not be written to the standard output.");
 }
 
-/// All options of a command and the commands above it, with their dashes.
+/// All options, with their dashes, of a command and of the commands above it.
 std::vector<std::string> option_names(const CLI::App* app) {
   std::vector<std::string> names;
   for (; app != nullptr; app = app->get_parent()) {
@@ -95,12 +95,13 @@ int run(const std::vector<std::string>& words) {
   add(add_plugins);
   add(add_run);
   add(add_completion);
-  app.allow_extras();  // unknown arguments get our own message
+  app.allow_extras();  // unknown arguments get a message with a suggestion
   const std::vector<std::string> arguments(words.begin() + 1, words.end());
   check_values(app, arguments);
-  // An unknown word is reported before the word that is missing because of it.
+  // An unknown word is reported before the missing word that it was meant to be.
   const auto check_all_taken = [&app] {
-    for (const std::string& extra : app.remaining(!app.got_subcommand("run"))) {  // has its own
+    for (const std::string& extra :
+         app.remaining(!app.got_subcommand("run"))) {  // `run` parses the rest
       refuse_unexpected(app, extra);
     }
   };
@@ -126,7 +127,7 @@ int run(const std::vector<std::string>& words) {
               "plugins or run (see talweg --help)");
 }
 
-/// Whether this is the name of an option, of any command, that takes a list.
+/// Whether an argument is the name of an option, of any command, that takes a list.
 bool is_list(const CLI::App& app, const std::string& name) {
   if (!name.starts_with("-")) return false;
   const auto takes_list = [&](const CLI::App* command) {
@@ -190,7 +191,7 @@ int main(int argc, char** argv) {
   } catch (...) {
     const Failure failure = current_failure();
     const int code = fail(failure.code, failure.message);
-    // Without memory OpenBLAS' threads never end, and leaving the usual way would wait for them.
+    // Without memory, OpenBLAS' threads never end, and the usual exit would wait for the threads.
     if (code == kInternal && std::fflush(nullptr) == 0) std::_Exit(code);
     return code;
   }

@@ -1,4 +1,4 @@
-// talweg measure: what curves on a mesh measure, and how far apart two of them lie.
+// talweg measure: lengths and curvatures of curves on a mesh, and the distance between two curves.
 #include <cstdio>
 #include <memory>
 #include <string>

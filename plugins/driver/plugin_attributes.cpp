@@ -28,7 +28,7 @@ std::uint32_t rule_of(Carry carry) {
   }
 }
 
-/// Where the three columns of normals are, if they are there and real numbers.
+/// The indices of the three columns of normals, if the mesh has normals that are real numbers.
 std::optional<std::array<std::size_t, 3>> normals_among(
     const std::vector<AttributeColumn>& columns) {
   std::array<std::size_t, 3> places{};
@@ -43,7 +43,7 @@ std::optional<std::array<std::size_t, 3>> normals_among(
   return places;
 }
 
-/// Columns in groups that are carried together, each by the numbers of its columns.
+/// Groups of columns that are carried together, as the indices of their columns.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<AttributeColumn>& columns,
                                                 bool with_normals) {
   const auto normals = with_normals ? normals_among(columns) : std::nullopt;
@@ -56,7 +56,7 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<AttributeColum
   return groups;
 }
 
-/// Attributes need different names.
+/// A name that no other attribute has.
 std::string name_of(std::size_t number, const std::string& name) {
   return fmt::format("{} {}", number, name);
 }
@@ -130,7 +130,7 @@ class FileAttributes {
     to = {corners.dimension, next_->values, next_->corners, corners.carry};
     ++next_;
   }
-  /// One that the plugin made.
+  /// An attribute that the plugin made.
   static void add_own(const host::Attribute& own, MeshAttributes& to) {
     if (own.columns != 1 || own.element == TALWEG_OF_CORNERS) return;
     auto& columns = own.element == TALWEG_OF_VERTICES ? to.vertices : to.faces;
@@ -165,7 +165,7 @@ std::vector<host::Attribute> host_attributes(const MeshAttributes& attributes) {
 
 MeshAttributes file_attributes(const MeshAttributes& attributes,
                                const std::vector<host::Attribute>& carried) {
-  // Elements come in the order in which they went in: vertices, triangles, corners, names.
+  // A plugin returns attributes in the order of the input: vertices, triangles, corners, names.
   return FileAttributes(attributes, carried).run();
 }
 

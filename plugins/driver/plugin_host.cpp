@@ -22,7 +22,8 @@ struct CloseLoader {
 
 std::uint32_t number_of(std::size_t index) { return static_cast<std::uint32_t>(index); }
 
-/// A plugin may give any number as a whole one, also an infinite one for what is unknown.
+/// Whether a number fits an integer. A plugin may return any number as an integer, for example
+/// infinity for an unknown value.
 bool is_whole(double value) { return std::abs(value) < 0x1p63; }
 
 ReportEntry entry_of(const host::ReportEntry& entry) {

@@ -51,7 +51,7 @@ bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
 PluginOptions::PluginOptions(CLI::App& app, const talweg_plugin& plugin) {
   repairs_ = has_parameter(plugin, "repair");
   for (std::uint32_t k = 0; k < plugin.parameter_count; ++k) {
-    // They are told by --repair[=LIST].
+    // The option --repair[=LIST] sets these parameters.
     if (repairs_ && std::string_view(plugin.parameters[k]->id).starts_with("repair")) continue;
     values_.push_back(std::make_unique<Value>());
     values_.back()->parameter = plugin.parameters[k];
@@ -88,7 +88,7 @@ void PluginOptions::add(CLI::App& app, Value& value) {
       value.option = app.add_option(name, value.numbers, text)->delimiter(',');
       value.option->allow_extra_args(false);
       break;
-    default:  // a type of a newer plugin: it keeps its default
+    default:  // a parameter with a type of a newer interface keeps its default
       return;
   }
   if ((p.flags & TALWEG_ADVANCED) != 0) value.option->group("Advanced");

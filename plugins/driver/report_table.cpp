@@ -10,7 +10,7 @@
 namespace talweg::driver {
 namespace {
 
-/// What decides whether the result can be used, and how far it is from what was drawn.
+/// The decisive warnings, and the distance of the result from the drawing.
 std::string head_of(const SmoothingReport& r) {
   std::string out;
   for (const Decisive& one : r.decisive) out += fmt::format("warning: {}\n", one.sentence);

@@ -118,7 +118,7 @@ std::string list_text(const host::ReportEntry& entry) {
   return fmt::format("{:.6g}", fmt::join(entry.numbers, " "));
 }
 
-/// Reads the curves of the files, converted to the numbers of the mesh; tells what that did.
+/// Reads the curves of the files in the numbers of the mesh, and adds sentences on the conversion.
 std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files,
                                    std::vector<std::string>& told) {
   const CoordinateFrame frame = with_unit(mesh.lists.frame(), files.mesh_units);
@@ -143,7 +143,7 @@ std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files,
   return curves;
 }
 
-/// A `.border` names the vertices around each point, so the mesh is needed to the end.
+/// A `.border` names the vertices around each point, so the mesh must stay in memory to the end.
 bool writes_borders(const Files& files) {
   return std::any_of(files.outputs.begin(), files.outputs.end(), [](const std::string& output) {
     return lower_extension(output) == ".border";
@@ -160,7 +160,7 @@ void add_corners(PlacedCurve& curve, const MeshLists& lists) {
   }
 }
 
-/// One number per vertex of the file; a vertex that was split has that of its first copy.
+/// One number per vertex of the file. A split vertex has the number of its first copy.
 std::vector<double> per_file_vertex(const RepairMap* map, const std::vector<double>& values) {
   const bool repaired = map != nullptr && values.size() == map->vertex_count();
   return repaired ? map->to_file_vertices(values) : values;
@@ -188,7 +188,7 @@ void write_report(const std::string& path, const host::Results& results) {
   write_output(path, to_json(entries_of(results, -1), reports));
 }
 
-/// The labels left and right of each curve, if the report tells them.
+/// The labels left and right of each curve, if the report has them.
 std::vector<SideLabels> sides_of(const host::Results& results) {
   std::vector<SideLabels> sides;
   for (std::size_t c = 0; c < results.curves.size(); ++c) {
@@ -238,7 +238,7 @@ bool writes_nothing(const Files& files) {
   return files.outputs.empty() && files.report.empty() && files.meshes.empty() && files.map.empty();
 }
 
-/// Rethrows a plugin's error; reads the mesh again for the hint, because it is no longer in memory.
+/// Rethrows a plugin's error with a hint, for which the mesh is read again.
 [[noreturn]] void rethrow_with_hint(const host::Error& error, const Files& files) {
   try {
     rethrow(error);
@@ -272,7 +272,7 @@ ReadMesh mesh_for(const talweg_plugin& plugin, const PluginOptions& options, con
   return read_and_repair(files.mesh, options.repairs() ? "" : files.repair, attributes);
 }
 
-/// Sentences of the plugin's warnings on what it repaired.
+/// The plugin's warnings on its repair.
 std::vector<std::string> repairs_in(const host::Results& results) {
   std::vector<std::string> sentences;
   for (const char* key : {"warnings", "repair.changes"}) {
@@ -357,7 +357,7 @@ int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given
   app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
   app.add_flag("-v,--verbose", global.verbose, "Print the report and what the plugin logs");
   arguments.erase(arguments.begin());
-  app.allow_extras();  // unknown arguments get our own message
+  app.allow_extras();  // unknown arguments get a message with a suggestion
   check_values(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // the order that CLI11 expects
   try {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 bool has_result(const SummaryRow& row) { return !row.cells.empty(); }
 
-/// Whether there is nothing to be done again.
+/// Whether the journal has a result for every curve of the run, which then need not be repeated.
 bool is_done(const SummaryRun& run) {
   return !run.inputs.empty() && !run.outputs.empty() && std::ranges::all_of(run.rows, has_result);
 }
@@ -74,7 +74,7 @@ void RunJournal::add(const SummaryRun& run) {
   if (!is_done(run)) return;
   const std::string lines = summary_lines(run);
   const std::lock_guard lock(mutex_);
-  // In one piece, so that a killed program leaves whole runs.
+  // A run is written in one piece, so that a killed program leaves whole runs.
   if (std::fwrite(lines.data(), 1, lines.size(), file_.get()) != lines.size() ||
       std::fflush(file_.get()) != 0) {
     cannot_write(path_, reason_of(errno));

@@ -107,7 +107,7 @@ std::string filled(const std::string& pattern, const Line& line, const SmoothOpt
   }
 }
 
-/// Columns without a use are misspelt or meant for something else; either is an error.
+/// Throws an error for columns without a use, which are misspelt or meant for something else.
 void check_columns(const std::string& path, const TableLine& header, const SmoothOptions& base) {
   SmoothOptions unused;
   CLI::App app;

@@ -53,10 +53,10 @@ std::string hash_of_file(const std::string& path) {
   return in.eof() ? hash.text() : std::string();
 }
 
-/// Files with an ending are read by it.
+/// The extension, which chooses the reader of a file.
 std::string ending(const std::string& path) { return fs::path(path).extension().string(); }
 
-/// What can change a result. A new option does not compile before it has a place here.
+/// The options that can change a result. A new option does not compile before it has a place here.
 std::string options_text(const SmoothOptions& options) {
   const auto& [mesh, repair, curves, labels, mesh_units, independent, outputs, written, report,
                potential, engine, distance, slack_field, max_deviation, heat_time, pins, corners,
@@ -78,7 +78,7 @@ std::string options_text(const SmoothOptions& options) {
       or_none(budget), or_none(budget_work));
 }
 
-/// The files that a run reads, in an order in which none can be taken for another.
+/// The files that a run reads, in an order that tells them apart.
 std::vector<std::string> files_of(const SmoothOptions& options) {
   std::vector<std::string> files = {options.mesh, options.labels, options.distance,
                                     options.slack_field};

@@ -37,7 +37,7 @@ std::string why_not_converged(const SmoothOptions& options, Outcome outcome) {
   return fmt::format("the result did not converge ({})", to_string(outcome));
 }
 
-/// What decides whether the result can be used comes before everything else.
+/// Prints the decisive warnings before everything else.
 void lead_with_decisive(const SmoothingReport& report) {
   for (const Decisive& one : report.decisive) {
     std::fprintf(stderr, "talweg: warning: %s\n", one.sentence.c_str());

@@ -35,7 +35,7 @@ constexpr std::size_t kFailuresShown = 10;
 class SharedMesh {
  public:
   void add_run() { ++left_; }
-  /// Rethrows the error of the first attempt, too.
+  /// Opens the mesh if it is not open yet. Each call rethrows the error of the first attempt.
   MeshFromFile take(const SmoothOptions& options) {
     const std::lock_guard lock(mutex_);
     if (failure_) std::rethrow_exception(failure_);
@@ -60,14 +60,14 @@ class SharedMesh {
   std::size_t left_ = 0;
 };
 
-/// A key that runs on the same mesh share.
+/// A key that all runs on one mesh have in common.
 std::string mesh_of(const SmoothOptions& options) { return options.mesh + '\n' + options.repair; }
 
 /// The outcome of a run; its curves are in its files.
 struct RunRecord {
   bool cancelled = true;  ///< until the run is done
   bool kept = false;      ///< from an earlier program
-  bool again = false;     ///< an output was there already
+  bool again = false;     ///< an output existed before the run
   std::optional<Failure> failure;
   std::vector<CurveFailure> failed_curves;
   SummaryRun summary;
@@ -109,8 +109,8 @@ std::vector<SummaryRow> rows_of(const RunOutcome& outcome) {
   return rows;
 }
 
-/// Sentences by which results of the run may be of no use, with the curves that they are about
-/// where it is not all of them.
+/// The decisive warnings of a run, by which its results may be of no use. A warning that is not
+/// about all curves names its curves.
 std::vector<std::string> decisive_of(const RunOutcome& outcome) {
   const std::vector<SmoothingReport>& reports = outcome.result.reports;
   std::vector<std::string> lines;
@@ -182,13 +182,13 @@ class ManyRuns {
   [[nodiscard]] const std::vector<ListedRun>& runs() const { return runs_; }
 
  private:
-  /// A worker's present mesh and workspace.
+  /// The mesh and the workspace of a worker.
   struct Desk {
     std::string mesh;
     std::optional<Workspace> workspace;
   };
 
-  /// Takes the outcome of an earlier program, if the run would do the same again.
+  /// Keeps the outcome of an earlier program if the run would have the same outcome again.
   bool keep(std::size_t i) {
     if (options_.summary.empty()) return false;
     const SmoothOptions& options = runs_[i].options;
@@ -241,7 +241,7 @@ class ManyRuns {
   const ManyOptions& options_;
   std::vector<RunRecord> records_;
   std::map<std::string, SharedMesh> meshes_;
-  std::vector<std::pair<std::size_t, std::size_t>> order_;  // first run on the mesh, run
+  std::vector<std::pair<std::size_t, std::size_t>> order_;  // {first run on the mesh, run}
   InputStamps stamps_;
   std::optional<RunJournal> journal_;
   CountedBar bar_;
@@ -266,8 +266,8 @@ std::string place_of(const ListedRun& run, const ManyOptions& options) {
                       : run.options.mesh;
 }
 
-/// Tells on stderr, before everything else, by which sentences results may be of no use, up to a
-/// limit. Runs that are kept from an earlier program were told by that one.
+/// Prints the decisive warnings on stderr before everything else, up to a limit. The earlier
+/// program has printed the warnings of kept runs.
 void tell_decisive(const ManyRuns& many, const ManyOptions& options) {
   std::size_t lines = 0;
   for (std::size_t i = 0; i < many.runs().size(); ++i) {

@@ -62,7 +62,7 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
   app.add_option("--report", o.report, "What was done and measured, as JSON");
 }
 
-/// Adds an option that has one value, or one for each curve.
+/// Adds an option with one value for all curves, or one value per curve.
 template <class Value>
 CLI::Option* add_list(CLI::App& app, const char* id, std::vector<Value>& values) {
   return app
@@ -73,7 +73,7 @@ CLI::Option* add_list(CLI::App& app, const char* id, std::vector<Value>& values)
       ->allow_extra_args(false);
 }
 
-/// A slack as it is typed; "auto" is kept as -1.
+/// Checks a slack and replaces "auto" by -1, as a transformation of CLI11: returns an error or "".
 std::string slack_or_auto(std::string& text) {
   if (text.starts_with('-')) return "A slack must be 0 or more, or auto, not " + text;
   if (text == "auto") text = "-1";
@@ -151,7 +151,7 @@ PointsChoice points_choice(const SmoothOptions& options) {
 
 namespace {
 
-/// The value of one of the curves.
+/// Keeps the value of one curve, unless the value is for all curves.
 template <class Value>
 void keep_only(std::vector<Value>& values, std::size_t curve) {
   if (values.size() > 1) values = {values[curve]};

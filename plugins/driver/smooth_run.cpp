@@ -10,7 +10,7 @@
 #include "output_file.hpp"
 #include "shared_work.hpp"
 #include "talweg/core/drawing/drawn_curves.hpp"
-#include "talweg/core/drawing/taken_points.hpp"
+#include "talweg/core/drawing/marked_points.hpp"
 #include "talweg/core/io/curve_file.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
@@ -20,7 +20,7 @@ namespace talweg::driver {
 
 namespace {
 
-/// The median of each stage over several runs that gave the same result.
+/// The median time of each stage over several runs with the same result.
 StageTimes median_times(const std::vector<StageTimes>& runs) {
   StageTimes times;
   for (double StageTimes::*stage : {&StageTimes::load, &StageTimes::open, &StageTimes::solve,
@@ -39,20 +39,20 @@ StageTimes median_times(const std::vector<StageTimes>& runs) {
 struct Prepared {
   std::vector<SurfaceCurve> curves;
   std::vector<SurfacePoint> pins, corners;  ///< points of the curves
-  TakenPoints points;
-  std::vector<RidgeMoves> ridges;   ///< per curve, if ridges attracted them
+  MarkedPoints points;
+  std::vector<RidgeMoves> ridges;   ///< per curve; empty unless ridges attract the drawing
   std::vector<double> distance;     ///< per vertex; empty unless given
   std::vector<double> slack_field;  ///< per vertex; empty unless given
   const SmoothOptions* options = nullptr;
-  CoordinateFrame frame;  ///< of the mesh
+  CoordinateFrame frame;  ///< the frame of the mesh
   Progress progress;
   std::vector<std::string> warnings;
   SnappedDrawing moved;  ///< without its curves and pins
   double load_ms = 0;
-  double opened_ms = 0;  ///< what reading and opening all files took
+  double opened_ms = 0;  ///< the time of reading and opening all files
 };
 
-/// The point of a vertex of the file on the mesh; if the vertex was split, the copy on a curve.
+/// The point of the mesh at a vertex of the file. Of a split vertex, the copy on a curve is chosen.
 SurfacePoint pin_on(const std::vector<SurfaceCurve>& curves, const MeshFromFile& mesh,
                     VertexId pin) {
   const Surface& surface = mesh.mesh().surface();
@@ -77,16 +77,16 @@ std::vector<double> field_on(const MeshFromFile& mesh, const std::string& path) 
   return mesh.map->of_vertices(read_field(path, mesh.map->file_vertex_count()));
 }
 
-/// Finds the way-points and the painted points among those of the drawing.
-void take_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
+/// Finds the way-points and the painted points among the points of the drawing.
+void mark_points_of(const SnappedDrawing& drawing, const MeshFromFile& mesh,
                     const SmoothOptions& options, Prepared& run) {
   const PointsChoice choice = points_choice(options);
-  PointsTaken taken{plugins::point_meaning(choice.points), {}, options.tolerance};
+  PointOptions reading{plugins::point_meaning(choice.points), {}, options.tolerance};
   for (const std::size_t v : choice.exact) {
-    taken.exact.push_back(pin_on(drawing.curves, mesh, VertexId{v}));
+    reading.exact.push_back(pin_on(drawing.curves, mesh, VertexId{v}));
   }
-  run.points = take_points(drawing, taken);
-  for (std::string& warning : stroke_warnings(drawing, taken)) {
+  run.points = marked_points(drawing, reading);
+  for (std::string& warning : stroke_warnings(drawing, reading)) {
     run.warnings.push_back(std::move(warning));
   }
 }
@@ -110,9 +110,9 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
                  const Progress& progress) {
   const Stopwatch watch;
   const Surface& surface = mesh.mesh().surface();
-  std::optional<LedCurves> led;
-  if (border_ends(options.border) == BorderEnds::kSnap) led = LedCurves::kStrokes;
-  reader.set_ends(curve_ends(options.ends), led);
+  std::optional<ExtendedCurves> extended;
+  if (border_ends(options.border) == BorderEnds::kSnap) extended = ExtendedCurves::kStrokes;
+  reader.set_ends(curve_ends(options.ends), extended);
   SnappedDrawing drawing =
       options.labels.empty()
           ? reader.read(options.curves, with_unit(mesh.frame, options.mesh_units), progress)
@@ -133,7 +133,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
     run.corners.push_back(pin_on(drawing.curves, mesh, VertexId{corner}));
   }
   check_pins(drawing.curves, run.corners, "corner");
-  take_points_of(drawing, mesh, options, run);
+  mark_points_of(drawing, mesh, options, run);
   run.curves = std::move(drawing.curves);
   run.pins = std::move(drawing.pins);
   snap_to_ridges(mesh.mesh(), options, run);
@@ -148,7 +148,7 @@ Prepared prepare(const MeshFromFile& mesh, DrawingReader& reader, const SmoothOp
   return run;
 }
 
-/// The input with only one of its curves.
+/// The input of one curve alone.
 Prepared alone(const Prepared& run, std::size_t curve) {
   Prepared one;
   one.curves = {run.curves[curve]};
@@ -182,7 +182,7 @@ void set_field(plugin::Parameters& parameters, const char* id, const std::vector
   parameters.set_array(id, &array);
 }
 
-/// What may be one value, or one for each curve. Throws plugin::Failure.
+/// Sets a parameter from one value, or from one value per curve. Throws plugin::Failure.
 void set_lists(plugin::Parameters& parameters, const SmoothOptions& o) {
   if (o.tau.size() == 1) {
     parameters.set_number("tau", o.tau.front());
@@ -244,7 +244,7 @@ bool is_cancelled(const SmoothingReport& total) { return total.termination == Ou
 
 bool is_free(const Prepared& run) { return only_way_points(run.curves, run.points); }
 
-/// What is left of a budget of seconds after reading, opening and setting the curves.
+/// The rest of a budget, seconds, after the files were read and the curves were set.
 double left_of(double seconds, const Prepared& run, const Stopwatch& watch) {
   constexpr double kUsedUp = 1e-9;
   return std::max(kUsedUp, seconds - (run.opened_ms + watch.ms()) / 1000);
@@ -364,8 +364,8 @@ void add_entries(std::vector<ReportEntry>& entries, const std::vector<ReportEntr
   entries.insert(entries.end(), more.begin(), more.end());
 }
 
-/// The report; of resampled curves also how many points they have and how far apart these are: in
-/// the totals all points, and the largest spacing.
+/// The report. Entries on resampled curves have the number of points and the spacing: in the
+/// totals, the number of all points and the largest spacing.
 std::string report_json(const PlacedResult& result) {
   std::vector<ReportEntry> total = entries_of(result.total);
   add_entries(total, total_entries(result.ridges));

@@ -36,7 +36,7 @@ std::string_view letters_of(std::string_view word) {
 }  // namespace
 
 std::string suggestion(std::string_view written, std::span<const std::string> known) {
-  constexpr std::size_t kLongest = 40;  // longer than any of our words
+  constexpr std::size_t kLongest = 40;  // longer than any name of an option
   const std::string_view letters = letters_of(written);
   if (letters.size() < 2 || letters.size() > kLongest) return "";
   const std::string* best = nullptr;

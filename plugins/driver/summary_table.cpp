@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kBefore = 6, kAfter = 3;  // columns that are no report's
+constexpr std::size_t kBefore = 6, kAfter = 3;  // columns before and after those of the report
 
 std::string as_cell(std::string_view cell) {
   if (cell.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(cell);
@@ -46,7 +46,7 @@ std::vector<std::pair<std::string, std::string>> cells_of(const SmoothingReport&
   const ordered_json object = ordered_json::parse(to_json(report));
   for (const auto& [name, value] : object.items()) {
     if (name == "time_ms" || name == "peak_memory_mib" || name == "termination") continue;
-    if (name == "decisive_at") continue;  // as many columns as sentences
+    if (name == "decisive_at") continue;  // would need a column per warning
     if (name == "warnings" || name == "decisive") {
       cells.emplace_back(name,
                          fmt::format("{}", fmt::join(value.get<std::vector<std::string>>(), " ")));
@@ -94,7 +94,7 @@ std::string summary_lines(const SummaryRun& run) {
 std::vector<SummaryRun> runs_of(const std::vector<std::vector<std::string>>& lines) {
   std::vector<SummaryRun> runs;
   const std::size_t columns = summary_columns().size();
-  std::string place, count;  // of the last run
+  std::string place, count;  // cells of the last run
   const auto drop_incomplete = [&] {
     if (!runs.empty() && std::to_string(runs.back().rows.size()) != count) runs.pop_back();
   };

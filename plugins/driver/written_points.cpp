@@ -25,7 +25,7 @@ bool is_of_unit(char c) {
   return (c >= 'a' && c <= 'z' && c != 'e') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// A whole number is that of points; one with a point, an exponent or a unit is a spacing.
+/// A whole number is a number of points; a number with a point, an exponent or a unit is a spacing.
 EvenPoints even_points(const std::string& text, const CoordinateFrame& frame) {
   const bool whole = text.find_first_not_of("0123456789") == text.npos;
   EvenPoints even;

@@ -5,7 +5,7 @@
 
 namespace talweg::editing {
 
-/// Milliseconds since some time in the past; never goes back.
+/// The time in milliseconds since an arbitrary moment in the past. It never decreases.
 inline double now_ms() {
   const auto since = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double, std::milli>(since).count();

@@ -29,7 +29,7 @@ Vector normal_of(const MeshArrays& mesh, std::uint32_t face) {
   return unit(cross(minus(mesh.positions[t[1]], a), minus(mesh.positions[t[2]], a)));
 }
 
-/// A polyline on the surface, with what its segments know.
+/// A polyline on the surface, with the direction and the face normal of each segment.
 class Line {
  public:
   Line(const MeshArrays& mesh, const host::Curve& curve) : curve_(curve) {
@@ -61,8 +61,9 @@ class Line {
   [[nodiscard]] double place(std::size_t point) const {
     return point < starts_.size() ? starts_[point] : length_;
   }
-  /// 1 where it turns left at that point, -1 where right. The sum of both normals: at an edge a
-  /// straight line turns with the surface, and not to a side.
+  /// 1 if the line turns left at a point, -1 if it turns right, 0 at the start of an open line. The
+  /// sum of both normals decides: a straight line over an edge turns with the surface, not to a
+  /// side.
   [[nodiscard]] double side(std::size_t point) const {
     const std::size_t n = along_.size();
     if (point == 0 && !curve_.closed) return 0;
@@ -77,7 +78,7 @@ class Line {
   double length_ = 0;
 };
 
-/// What the curve turns by in all up to a place; to the left counts up.
+/// The sum of a curve's turns up to a place; left turns are positive.
 class Turning {
  public:
   Turning(const Line& line, const host::Curve& curve, const std::vector<double>& turns)
@@ -87,7 +88,7 @@ class Turning {
       sums_.push_back((sums_.empty() ? 0 : sums_.back()) + line.side(k) * turns[k]);
     }
   }
-  /// The mean curvature from one place to another; of an open curve within it.
+  /// The mean curvature between two places. On an open curve, places beyond an end are moved to it.
   [[nodiscard]] double mean(double from, double to) const {
     if (!closed_) {
       from = std::max(from, 0.0);

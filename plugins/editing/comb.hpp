@@ -1,4 +1,5 @@
-// A comb shows how a curve turns: teeth across it on the surface, as long as it is curved there.
+// A comb shows the geodesic curvature of a curve: its teeth stand across the curve on the surface,
+// and a tooth is as long as the curvature there is large.
 #pragma once
 
 #include <vector>
@@ -10,14 +11,14 @@ namespace talweg::editing {
 
 struct Tooth {
   Vector root;       ///< on the curve
-  Vector out;        ///< across the curve in the surface, away from the side it turns to; length 1
-  double curvature;  ///< geodesic, >= 0, 1 / mesh unit
+  Vector out;        ///< unit vector across the curve, away from the side to which the curve turns
+  double curvature;  ///< geodesic curvature, >= 0, 1 / mesh unit
 };
 
-/// Teeth at equal distances of about `spacing` (mesh units) along a curve that talweg.smooth gave
-/// with point fields. Each has the mean curvature of the curve within `spacing` on both sides: a
-/// polyline turns only at its points. Throws Error for a curve without curvatures or a spacing of
-/// 0.
+/// Teeth at equal distances of about `spacing` (mesh units, > 0) along a result curve of
+/// talweg.smooth with point fields. A tooth has the mean curvature of the curve up to the next
+/// tooth on both sides, since a polyline turns only at its points. Throws Error if the curve has no
+/// field "curvature", or if `spacing` is not more than 0.
 std::vector<Tooth> comb_of(const MeshArrays& mesh, const host::Curve& curve, double spacing);
 
 }  // namespace talweg::editing

@@ -1,4 +1,4 @@
-// Curve files in the library's formats are read and written for hosts.
+// Curve files are read and written for hosts in all formats of the library.
 #pragma once
 
 #include <string>
@@ -9,17 +9,20 @@
 
 namespace talweg::editing {
 
-/// Writes curves of the mesh with their faces, barycentrics and positions, by extension (.json,
-/// .vtp, .border, ...). `frame` is what the mesh's file says of its coordinates
-/// (talweg_mesh_files.h). Throws host::Error; the file is then unchanged.
+/// Writes curves of the mesh with their faces, barycentrics and positions. The extension of the
+/// path
+/// (.json, .vtp, .border, ...) chooses the format. `frame` describes the coordinates of the mesh's
+/// file (talweg_mesh_files.h). Throws host::Error; the file is then unchanged.
 void write_curves(const Plugins& plugins, const std::string& path, const MeshArrays& mesh,
                   const std::vector<host::Curve>& curves, const std::string& frame = {});
 
-/// All curves of a file for the mesh, as input for set_curves(). Throws host::Error.
+/// Reads all curves of a file for the mesh, as input for host::Instance::set_curves(). Throws
+/// host::Error.
 std::vector<host::Curve> read_curves(const Plugins& plugins, const std::string& path,
                                      const MeshArrays& mesh, const std::string& frame = {});
 
-/// A drawing's own points, for a file from which the drawing can be read again. Throws Error.
+/// The curves of a drawing with their positions, for a file from which read_curves() restores the
+/// drawing. Throws Error.
 std::vector<host::Curve> drawn_curves(const MeshArrays& mesh, const Drawing& drawing);
 
 }  // namespace talweg::editing

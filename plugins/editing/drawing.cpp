@@ -82,14 +82,14 @@ bool all_same(const Drawing& a, const Drawing& b, Same same) {
   return std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(), same);
 }
 
-/// What holds of a point that was clicked, and what a stroke says of itself. A pin has no
-/// tolerance.
+/// The mark of a curve's point as plugins read it: a negative mark, or the tolerance of a
+/// way-point, which is 0 at a pin.
 double mark_of(const Curve& curve, const Point& point) {
   if (point.exact < 0) return point.exact;
   return point.pinned ? 0 : curve.tolerance.value_or(point.exact);
 }
 
-/// The marks of the points; none if nothing is said of any.
+/// The marks of a curve's points; empty if no point has a mark.
 std::vector<double> marks_of(const Curve& curve) {
   std::vector<double> marks;
   for (const Point& point : curve.points) marks.push_back(mark_of(curve, point));
@@ -100,7 +100,7 @@ std::vector<double> marks_of(const Curve& curve) {
 
 bool can_be_smoothed(const Curve& curve) { return curve.points.size() >= 2; }
 
-/// A parameter that has a value for each curve, -1 where a curve has none of its own.
+/// Sets a parameter with a value for each curve: -1 for a curve without a value of its own.
 void apply_per_curve(const char* id, const std::vector<std::optional<double>>& values,
                      host::Instance& smooth) {
   std::vector<double> own;
@@ -171,7 +171,7 @@ void apply(const Drawing& drawing, host::Instance& smooth) {
   smooth.set("ends", name_of(drawing.settings.ends));
   smooth.set("ridges", drawing.settings.ridges);
   smooth.set("ridge_kind", name_of(drawing.settings.ridge_kind));
-  smooth.set("border", "snap");  // beyond the border a hand picks no points
+  smooth.set("border", "snap");  // a hand cannot pick points beyond the border
   std::vector<std::optional<double>> taus, slacks;
   for (const auto& curve : drawing.curves) {
     if (paper || !can_be_smoothed(*curve)) continue;

@@ -16,8 +16,8 @@ void require_points(const Curve& curve) {
                            : "A curve needs two points in different places.");
 }
 
-/// Removes points at the same place as the one before, and a closed curve's last point if it is at
-/// the place of the first.
+/// Removes points at the place of the point before, and last points of a closed curve at the place
+/// of its first point.
 void merge(Curve& curve) {
   std::vector<Point> points;
   for (const Point& point : curve.points) {
@@ -88,7 +88,7 @@ std::uint32_t Editor::next_number() const {
   return largest + 1;
 }
 
-/// A curve that is not there yet is added.
+/// Replaces a curve, or adds a curve if `curve` is the number of curves.
 void Editor::replace(const std::string& name, std::size_t curve, Curve by, bool unfinished) {
   Drawing next = drawing();
   if (curve == next.curves.size()) {

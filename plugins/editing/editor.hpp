@@ -1,4 +1,4 @@
-// The editor does the edits that a person can make to a drawing.
+// The editor changes a drawing as the user does: each edit is one function.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,16 @@
 
 namespace talweg::editing {
 
-/// A drawing on one mesh, and all edits of it. Every edit can be undone. An edit that cannot be
-/// done throws Error and changes nothing. One thread at a time.
+/// A drawing on one mesh with its history. Every edit can be undone. An edit that is not possible
+/// throws Error and changes nothing. Only one thread at a time may use the editor.
 class Editor {
  public:
   Editor() = default;
-  /// Begins with these settings, which are no step that could be undone. Throws Error.
+  /// Begins with an empty drawing. Undo does not go back before these settings. Throws Error for
+  /// settings out of range.
   explicit Editor(const Settings& settings);
-  /// Begins with this drawing, as that of another editor.
+  /// Begins with a drawing, such as the drawing of another editor. Throws Error for settings out of
+  /// range.
   explicit Editor(Drawing drawing);
 
   [[nodiscard]] const Drawing& drawing() const { return history_.now(); }
@@ -26,57 +28,62 @@ class Editor {
   [[nodiscard]] const History& history() const { return history_; }
   [[nodiscard]] bool is_drawing() const { return drawing().unfinished; }
 
-  // ---- A curve while it is drawn.
+  // ---- The unfinished curve, which the user still draws.
 
-  /// Adds a point that was clicked, which is meant exactly, to the curve that is being drawn, or
-  /// begins a curve if there is none. A point at the place of the last one is ignored.
+  /// Adds a clicked point, which is a way-point, to the unfinished curve, or begins a curve. A
+  /// point at the place of the last point is ignored.
   void add_point(const Point& point);
-  /// The same for a point over which the mouse was dragged: it is part of a stroke. If the curve
-  /// has only one point yet, the stroke began there.
+  /// Adds a point over which the mouse was dragged, as part of a stroke. A single point before it
+  /// becomes the beginning of the stroke.
   void paint_point(const Point& point);
-  /// Backspace: removes the last point; with its only point the curve is removed too.
+  /// Backspace: removes the last point. A curve without points left is removed.
   void take_back_point();
-  /// Enter: finishes the curve as an open one. Needs two points.
+  /// Enter: finishes the curve as an open curve. Throws Error for fewer than two points.
   void finish_curve();
-  /// A click on the first point: finishes the curve as a closed one. Needs three points.
+  /// A click on the first point: finishes the curve as a closed curve. Throws Error for fewer than
+  /// three points in different places.
   void close_curve();
-  /// Esc: removes the curve.
+  /// Esc: removes the unfinished curve.
   void drop_curve();
 
-  /// Removes any curve, the one that is being drawn too; that one stays if another goes.
+  /// Removes a curve, finished or not.
   void remove_curve(std::size_t curve);
 
-  // ---- Whole curves; not while a curve is being drawn.
+  // ---- Whole curves. All but clear() throw Error while a curve is unfinished.
 
-  /// Adds a curve from another source: selected vertices, another object, a script. Needs two
-  /// points, three when closed; of successive points at one place only the first counts.
+  /// Adds a curve from another source: selected vertices, another object, a script. Of successive
+  /// points at one place, the first is kept. Throws Error for fewer than two points, or fewer than
+  /// three points of a closed curve.
   void add_curve(Curve curve);
   void set_closed(std::size_t curve, bool closed);
   void reverse_curve(std::size_t curve);
-  /// Drawing goes on at the end of an open curve, which becomes the last one.
+  /// Makes an open curve the unfinished curve, which is the last one. Throws Error for a closed
+  /// curve.
   void continue_curve(std::size_t curve);
-  /// Removes all curves; the settings and the offset's choices stay, but it is of all curves.
+  /// Removes all curves. The settings and the choices of the offset stay, but `Offset::of` is
+  /// reset.
   void clear();
 
-  // ---- What is a curve's own; of any curve.
+  // ---- Properties of any curve, finished or not.
 
   void rename_curve(std::size_t curve, const std::string& name);
   void set_curve_tau(std::size_t curve, std::optional<double> tau);
   void set_curve_tolerance(std::size_t curve, std::optional<double> tolerance);
-  /// Pins all its points, or lets all go.
+  /// Pins or unpins all points of the curve.
   void pin_curve(std::size_t curve, bool pinned);
 
-  // ---- Points of any curve.
+  // ---- Points of any curve, finished or not.
 
-  /// Keeps its pin, and whether it was clicked or painted.
+  /// Moves a point to the place of `to`. The point keeps its pin and its mark.
   void move_point(std::size_t curve, std::size_t point, const Point& to);
-  /// A point that is inserted into a curve with way-points is one, too.
+  /// Inserts a point before the point `before`. In a curve with way-points, a point without a mark
+  /// becomes a way-point.
   void insert_point(std::size_t curve, std::size_t before, const Point& point);
-  /// Removes the whole curve if it would have too few points left.
+  /// Removes a point, or the whole curve if too few points would be left.
   void remove_point(std::size_t curve, std::size_t point);
   void set_pinned(std::size_t curve, std::size_t point, bool pinned);
 
-  // ---- Settings.
+  // ---- Settings. Setters of numbers throw Error for values out of range.
 
   void set_tau(double tau);
   void set_slack(std::optional<double> slack);
@@ -86,8 +93,8 @@ class Editor {
   void set_click_distance(std::optional<double> distance);
   void set_ridges(double strength);
   void set_ridge_kind(RidgeKind kind);
-  /// Smoothing does not depend on it. Throws Error for a distance that is not more than 0 while it
-  /// is on.
+  /// Smoothing does not depend on the offset. Throws Error if the offset is on and its distance is
+  /// not more than 0.
   void set_offset(const Offset& offset);
 
  private:

@@ -6,7 +6,7 @@
 namespace talweg::editing {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(700);  // a host closes within two seconds
+constexpr std::chrono::milliseconds kPatience(700);  // a host is to close within two seconds
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Ending threads have been told to stop, and nobody has the time to wait for them.
+// Ending threads have been asked to stop, but a host has no time to wait for their end.
 #pragma once
 
 #include <atomic>
@@ -9,7 +9,7 @@
 
 namespace talweg::editing {
 
-/// May be used from any thread.
+/// Owns threads until they end. Any thread may call the methods.
 class EndingThreads {
  public:
   EndingThreads() = default;
@@ -17,11 +17,11 @@ class EndingThreads {
   EndingThreads(const EndingThreads&) = delete;
   EndingThreads& operator=(const EndingThreads&) = delete;
 
-  /// The thread sets `ended` as the last thing that it does. Does not wait for it. The thread must
-  /// own what it uses.
+  /// Takes a thread over and returns at once. The thread must set `ended` at its very end, and must
+  /// own the data that it uses.
   void take(std::thread thread, std::shared_ptr<const std::atomic<bool>> ended);
-  /// Waits for all of them, but no longer than 0.7 s: a thread in a plugin that never returns is
-  /// left to itself. False if there is one.
+  /// Waits for the end of all threads, but no longer than 0.7 s. Threads that still run, for
+  /// example in a plugin that never returns, are detached; then the result is false.
   bool end();
 
  private:

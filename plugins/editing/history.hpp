@@ -1,4 +1,4 @@
-// The history holds the states of a drawing, one after another, for undo and redo.
+// The history holds the successive states of a drawing, for undo and redo.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,23 @@
 
 namespace talweg::editing {
 
-/// Keeps every state, so that undo is exact. Equal parts of successive states are stored once.
+/// Every state is kept whole, so that undo is exact. Successive states share the curves that are
+/// equal in both.
 class History {
  public:
-  /// `most`: the number of steps that can be undone; older ones are forgotten.
+  /// `most`: the number of steps that can be undone; older steps are forgotten.
   explicit History(std::size_t most = 2000);
   explicit History(Drawing first);
 
   [[nodiscard]] const Drawing& now() const { return steps_[at_].drawing; }
-  /// Identifies the current state; every state ever created has another number.
+  /// Identifies the current state: no two states of a history have the same number.
   [[nodiscard]] std::uint64_t number() const { return steps_[at_].number; }
 
-  /// Adds a new state after this one and forgets undone states. Does nothing if the state is equal.
-  /// Within a gesture all states become one step with the gesture's name.
+  /// Adds a state after the current one and forgets undone states. A state equal to the current one
+  /// is not added. All states of a gesture become one step with the gesture's name.
   void add(const std::string& name, Drawing next);
 
-  /// Begins a mouse gesture, which is one step however many edits it makes. Gestures do not nest.
+  /// Begins a mouse gesture, all edits of which are one step. Gestures do not nest.
   void begin_gesture(const std::string& name);
   void end_gesture() { gesture_ = Gesture::kNone; }
   [[nodiscard]] bool in_gesture() const { return gesture_ != Gesture::kNone; }
@@ -35,15 +36,16 @@ class History {
   /// Names of the steps that undo() and redo() would take; empty where there is none.
   [[nodiscard]] std::string undo_name() const { return can_undo() ? steps_[at_].name : ""; }
   [[nodiscard]] std::string redo_name() const { return can_redo() ? steps_[at_ + 1].name : ""; }
-  bool undo();  ///< ends a gesture; false where there is nothing to undo
+  /// Both functions end a gesture, and return false if there is no step to undo or to redo.
+  bool undo();
   bool redo();
-  /// Goes to the state with that number; false if it is forgotten. For hosts that keep the list of
-  /// steps.
+  /// Goes to the state with a number(); false if the state is forgotten. Hosts that keep the list
+  /// of steps use this function.
   bool go_to(std::uint64_t number);
 
  private:
   struct Step {
-    std::string name;  // of the step that led to this state
+    std::string name;  // of the edit that made this state
     Drawing drawing;
     std::uint64_t number;
   };

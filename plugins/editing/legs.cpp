@@ -14,12 +14,13 @@ double squared_distance(const Vector& a, const Vector& b) {
 }
 
 /// Assigns to each given point a point of the line, in order, so that the sum of the squared
-/// distances is least: near stretches of a line that comes back are not taken for each other.
+/// distances is least. The order keeps near stretches of a returning line apart. Returns indices of
+/// the line's points, one per given point.
 std::vector<std::size_t> passed_at(const std::vector<Vector>& given,
                                    const std::vector<Vector>& line) {
   const std::size_t n = given.size(), m = line.size();
-  // best[j]: of the points so far, with the last one at j or before; `stays`: at j itself it is not
-  // better.
+  // best[j]: the least sum for the points so far, with the last point at j or before. stays[i m +
+  // j]: an assignment of point i before j is as good as one at j.
   std::vector<double> best(m, 0);
   std::vector<bool> stays(n * m);
   for (std::size_t i = 0; i < n; ++i) {
@@ -39,7 +40,7 @@ std::vector<std::size_t> passed_at(const std::vector<Vector>& given,
   return at;
 }
 
-/// The same closed line, beginning at its point next to the first given one, where it also ends.
+/// The closed line as an open line that begins and ends at its point `first`.
 std::vector<Vector> turned(const std::vector<Vector>& line, std::size_t first) {
   std::vector<Vector> result(line.begin() + static_cast<std::ptrdiff_t>(first), line.end());
   result.insert(result.end(), line.begin(), line.begin() + static_cast<std::ptrdiff_t>(first));

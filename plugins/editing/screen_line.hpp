@@ -1,4 +1,4 @@
-// A screen line is a curve as one sees it; the mouse is near one of its segments, or not.
+// A screen line is a curve projected to the screen; the mouse picks one of its segments.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,13 @@ inline double distance(const Pixel& a, const Pixel& b) {
 }
 
 struct NearSegment {
-  double away = std::numeric_limits<double>::infinity();  ///< pixels
-  std::size_t segment = 0;  ///< from the line's point of that number to the next one
-  double along = 0;         ///< how far along it is what is nearest, from 0 to 1
+  double away = std::numeric_limits<double>::infinity();  ///< distance to the segment, pixels
+  std::size_t segment = 0;  ///< the index of the segment's first point
+  double along = 0;         ///< the place of the nearest point along the segment, from 0 to 1
 };
 
-/// The segment of a line that is nearest to a place; at infinity where there is none.
+/// The segment of a line that is nearest to a place. The distance is infinite if the line has no
+/// segment.
 inline NearSegment nearest_segment(const std::vector<Pixel>& line, bool closed, const Pixel& at) {
   NearSegment nearest;
   for (std::size_t k = 0; k + 1 < line.size() + (closed ? 1 : 0); ++k) {

@@ -64,14 +64,14 @@ std::vector<OrderedVertices> chains_of(const Neighbours& neighbours) {
   return result;
 }
 
-/// A way between two selected vertices that meets no third, and its number of edges.
+/// A path of edges between two selected vertices without a third one on it.
 struct Joint {
   std::uint32_t edges;
   Vertex a, b;
   auto operator<=>(const Joint&) const = default;
 };
 
-/// Triangles around each vertex, in one list after the other.
+/// The triangles around each vertex: those of vertex v are faces[begin[v]] to faces[begin[v + 1]].
 struct Stars {
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> faces;
@@ -93,8 +93,9 @@ Stars stars_of(const MeshArrays& mesh) {
   return stars;
 }
 
-/// Finds the nearest selected vertex of each vertex, and its distance in edges, by breadth-first
-/// search from all of them at once. A joint is where the fronts of two of them meet.
+/// Breadth-first search from all selected vertices at once finds the nearest selected vertex of
+/// each vertex, and its distance in edges. A joint lies where the fronts of two selected vertices
+/// meet.
 std::vector<Joint> joints_between(const MeshArrays& mesh, const std::vector<Vertex>& selected) {
   const Stars stars = stars_of(mesh);
   std::vector<Vertex> nearest(mesh.positions.size(), kNone);
@@ -151,9 +152,9 @@ class Groups {
 
 using Lengths = std::map<std::pair<Vertex, Vertex>, std::uint32_t>;
 
-/// Where a curve turns sharply, the vertices before and after the corner are neighbours too, and
-/// the tree may have joined these. The corner is then a leaf beside the chain, and is moved in
-/// between.
+/// At a sharp turn of a curve, the vertices before and after the corner are neighbours, too, and
+/// the tree may have joined them. The corner is then a leaf beside the chain. The function moves
+/// one such leaf into the chain, and returns false if there is none.
 bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
   for (const auto& [leaf, others] : neighbours) {
     if (others.size() != 1) continue;
@@ -173,7 +174,7 @@ bool take_in_a_leaf(Neighbours& neighbours, const Lengths& lengths) {
   return false;
 }
 
-/// Joins neighbours into chains; the shortest joints are those of neighbours.
+/// Joins neighbours, which are the joints of one edge, into chains.
 void join_neighbours(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
                      const Lengths& lengths, Neighbours& neighbours) {
   Groups groups(selected);
@@ -188,7 +189,7 @@ void join_neighbours(const std::vector<Joint>& joints, const std::vector<Vertex>
 }
 
 /// Closes chains of three or more vertices if the joint between the ends is no longer than the
-/// joints inside the chain.
+/// longest joint inside the chain.
 void close_rings(const Lengths& lengths, Neighbours& neighbours) {
   for (const OrderedVertices& chain : chains_of(neighbours)) {
     const std::vector<Vertex>& v = chain.vertices;
@@ -204,8 +205,8 @@ void close_rings(const Lengths& lengths, Neighbours& neighbours) {
   }
 }
 
-/// Joins chains and single vertices at their ends, shortest joints first. Rings are not joined, and
-/// no joint is used that is much longer than those inside the chain.
+/// Joins chains and single vertices at their ends, shortest joints first. Rings are not joined. A
+/// joint that is much longer than the longest joint inside its chains is not used.
 void join_ends(const std::vector<Joint>& joints, const std::vector<Vertex>& selected,
                Neighbours& neighbours) {
   constexpr std::uint32_t kMuchLonger = 4;
@@ -259,7 +260,8 @@ Neighbours neighbours_along(const std::vector<std::array<std::uint32_t, 2>>& edg
   return neighbours;
 }
 
-/// Walks from `start` over `next` to where the edges end or branch, and takes the edges away.
+/// Walks from `start` over `next` up to a vertex where the edges end or branch, and removes the
+/// edges of the walk from `left`.
 OrderedVertices taken_walk(const Neighbours& all, Neighbours& left, Vertex start, Vertex next) {
   OrderedVertices chain;
   chain.vertices = {start};

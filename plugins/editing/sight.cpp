@@ -9,15 +9,15 @@
 namespace talweg::editing {
 namespace {
 
-constexpr std::uint32_t kLeaf = 8;  // triangles of a box that is not split
+constexpr std::uint32_t kLeaf = 8;  // the most triangles of a box that is not split
 
-/// Where a way meets a triangle: how far along, and the coordinates there.
+/// The intersection of a ray with a triangle.
 struct Meeting {
-  double at = -1;  // < 0: not at all
+  double at = -1;  // in lengths of the ray's direction; < 0: no intersection
   std::array<double, 3> barycentric = {0, 0, 0};
 };
 
-/// Moeller and Trumbore's intersection.
+/// Moeller & Trumbore 1997, "Fast, minimum storage ray/triangle intersection".
 Meeting meeting(const Vector& from, const Vector& way, const Vector& a, const Vector& b,
                 const Vector& c) {
   const Vector ab = minus(b, a), ac = minus(c, a);
@@ -44,7 +44,7 @@ Sight::Sight(std::shared_ptr<const MeshArrays> mesh)
   for (const auto& t : mesh_->triangles) {
     Vector sum = plus(plus(mesh_->positions[t[0]], mesh_->positions[t[1]]), mesh_->positions[t[2]]);
     for (double& x : sum) {
-      if (!std::isfinite(x)) x = 0;  // such a triangle is met by nothing
+      if (!std::isfinite(x)) x = 0;  // no ray meets such a triangle
     }
     middles.push_back(sum);
   }
@@ -65,7 +65,7 @@ Sight::Box Sight::box_of(std::uint32_t begin, std::uint32_t end) const {
   return box;
 }
 
-/// Halves at the middle triangle along the longest side, so that the depth is the logarithm.
+/// Splits a box at the median triangle along its longest side, so that the tree has depth O(log n).
 void Sight::split(std::uint32_t begin, std::uint32_t end, const std::vector<Vector>& middles) {
   const std::size_t at = boxes_.size();
   boxes_.push_back(box_of(begin, end));
@@ -83,8 +83,8 @@ void Sight::split(std::uint32_t begin, std::uint32_t end, const std::vector<Vect
   boxes_[at].next = static_cast<std::uint32_t>(boxes_.size());
 }
 
-/// Calls `met(triangle, meeting)` for what the way may meet before `most`; `met` returns the new
-/// `most`.
+/// Calls `met(triangle, meeting)` for each triangle that the ray meets before `most`, in the order
+/// of the tree; `met` returns the new `most`.
 template <class Met>
 void Sight::meet(const Vector& from, const Vector& way, double most, const Met& met) const {
   const auto crosses = [&](const Box& box) {
@@ -96,7 +96,7 @@ void Sight::meet(const Vector& from, const Vector& way, double most, const Met& 
       }
       double near = (box.least[i] - from[i]) / way[i], far = (box.most[i] - from[i]) / way[i];
       if (near > far) std::swap(near, far);
-      // A hair more, so that rounding loses no triangle that lies in a side of its box.
+      // The interval is widened a little, so that rounding loses no triangle in a side of its box.
       first = std::max(first, near - 1e-12 * std::abs(near));
       last = std::min(last, far + 1e-12 * std::abs(far));
     }
@@ -109,7 +109,7 @@ void Sight::meet(const Vector& from, const Vector& way, double most, const Met& 
       continue;
     }
     ++b;
-    if (b != box.next) continue;  // others inside it
+    if (b != box.next) continue;  // the box has boxes inside it, which come next
     for (std::uint32_t k = box.begin; k < box.end; ++k) {
       const auto& t = mesh_->triangles[order_[k]];
       const Meeting m = meeting(from, way, mesh_->positions[t[0]], mesh_->positions[t[1]],

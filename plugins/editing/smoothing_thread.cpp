@@ -16,8 +16,8 @@ struct SmoothingThread::Shared {
   std::deque<Request> waiting;
   std::deque<Outcome> outcomes;
   Progress progress;
-  double began_ms = 0;  // of the running task; 0: none runs
-  double ended_ms = 0;  // when it was cancelled by the user; 0: it was not
+  double began_ms = 0;  // start of the running task; 0: no task runs
+  double ended_ms = 0;  // time of cancel() during the running task; 0: it was not called
   bool cancelled = false;
   bool closing = false;
 
@@ -38,7 +38,7 @@ bool SmoothingThread::Shared::on_progress(const char* stage, double fraction) {
   return !cancelled;
 }
 
-/// Waits for a request; nothing if no more will come.
+/// Waits for a request; none when the thread is to end.
 std::optional<Request> SmoothingThread::Shared::next() {
   std::unique_lock lock(mutex);
   progress.busy = !waiting.empty();

@@ -1,4 +1,4 @@
-// Arithmetic with places in space, as mesh arrays have them.
+// Vectors in space are arrays of three numbers, as the positions of mesh arrays are.
 #pragma once
 
 #include <array>

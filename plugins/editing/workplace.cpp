@@ -16,7 +16,7 @@ bool has_parameter(const talweg_plugin& plugin, std::string_view id) {
                      [&](const talweg_parameter* parameter) { return parameter->id == id; });
 }
 
-/// The points that were given, out of a drawn curve that has other points in between.
+/// The given points of a drawn curve, without the points that drawing added between them.
 Curve given_points(const host::Curve& drawn) {
   const auto given = std::find_if(drawn.fields.begin(), drawn.fields.end(),
                                   [](const host::Field& field) { return field.name == "given"; });
@@ -141,18 +141,19 @@ void Workplace::do_open(Outcome& outcome) {
     if (error.status() != TALWEG_BAD_MESH) throw;
     outcome.status = error.status();
     outcome.sentence = error.what();
-    if (defects_ == Defects::kRefuse) outcome.repair = repair_told();
+    if (defects_ == Defects::kRefuse) outcome.repair = repair_changes();
   }
 }
 
-/// Empty if the mesh cannot be repaired, or nobody is there who could.
-std::vector<std::string> Workplace::repair_told() {
+/// The changes that a repair would make; empty if the mesh cannot be repaired, or if there is no
+/// talweg.repair.
+std::vector<std::string> Workplace::repair_changes() {
   try {
     host::Instance repair(plugins_.find("talweg.repair"), services_);
     set_mesh(repair, *mesh_);
-    const host::Results told = repair.run();
-    if (told.text("repair.verdict") != "usable") return {};
-    const host::ReportEntry* changes = told.find("repair.changes");
+    const host::Results results = repair.run();
+    if (results.text("repair.verdict") != "usable") return {};
+    const host::ReportEntry* changes = results.find("repair.changes");
     return changes == nullptr ? std::vector<std::string>() : changes->texts;
   } catch (const std::exception&) {
     return {};
@@ -186,7 +187,7 @@ void Workplace::do_place(const Request& request, Outcome& outcome) {
   host::Wanted wanted;
   wanted.point_fields = true;
   for (const host::Curve& curve : request.curves) {
-    // A curve that says nothing of its points is a stroke here: nobody has clicked them.
+    // A curve without marks is a stroke: the user has not clicked its points.
     if (has_parameter(instance.plugin(), "points")) {
       instance.set("points", curve.exact.empty() ? "rough" : "exact");
     }
@@ -195,7 +196,7 @@ void Workplace::do_place(const Request& request, Outcome& outcome) {
   }
 }
 
-/// The curves are set only if they are others: the distance does not depend on tau.
+/// The curves are set only if they have changed, since the distance does not depend on tau.
 void Workplace::do_distance(const Request& request, Outcome& outcome) {
   const std::vector<host::Curve> curves = host_curves(request.drawing);
   if (curves.empty()) throw Error("There is no curve to measure the distance to.");
@@ -225,8 +226,8 @@ host::Curve Workplace::drawn(const Curve& curve) {
   return std::move(instance.run().curves.at(0));
 }
 
-/// Only curves that are new are drawn. Without any the plugin is opened, so that the first is
-/// quick.
+/// Draws the curves that are not in drawn_ yet. The plugin is opened even for a drawing without
+/// curves, so that the first curve is drawn quickly.
 void Workplace::do_draw(const Request& request, Outcome& outcome) {
   opened(draw_, plugin_of(Task::kDraw));
   decltype(drawn_) now;

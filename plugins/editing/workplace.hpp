@@ -1,5 +1,5 @@
-// The workplace does the work on one mesh: opening it, smoothing drawings on it, putting curves
-// onto it, measuring distances. It works where it is called; SmoothingThread gives it a thread.
+// The workplace opens a mesh, smooths drawings on it, puts curves onto it and measures distances.
+// It works on the caller's thread; SmoothingThread has a thread for it.
 #pragma once
 
 #include <cstdint>
@@ -18,67 +18,68 @@
 
 namespace talweg::editing {
 
-/// Plugins that are there as long as a copy of this object is.
+/// Plugins that stay loaded as long as a copy of this object exists.
 class LoadedPlugins {
  public:
-  /// Takes the loader over. Throws std::bad_alloc if it is null.
+  /// Takes the loader over. Throws std::bad_alloc if the loader is null.
   explicit LoadedPlugins(talweg_loader* loader);
-  /// Throws Error that says where the plugin was looked for.
+  /// Throws Error, which names the searched folders, if the plugin is not there.
   [[nodiscard]] const talweg_plugin& find(const char* id) const;
 
  private:
   std::shared_ptr<talweg_loader> loader_;
 };
 
-/// The plugins that were found (talweg_loader.h). Must outlive everything that uses them.
+/// The plugins that the loader found (talweg_loader.h), and the threads that use them. The object
+/// must outlive all other users of the plugins.
 class Plugins {
  public:
-  /// `folders` are separated by ':'; if empty, the loader's own.
+  /// Searches `folders`, which are separated by ':'. An empty text means the loader's own folders.
   explicit Plugins(const std::string& folders = "");
-  /// Those that are linked into the program.
+  /// Uses the modules that are linked into the program.
   explicit Plugins(std::span<const talweg_linked_module> modules);
-  /// Waits for its threads as EndingThreads::end() does; one that is left to itself keeps the
-  /// plugins loaded for ever.
+  /// Waits for the ending threads as EndingThreads::end() does. If a thread had to be detached, the
+  /// plugins stay loaded for ever.
   ~Plugins();
   Plugins(const Plugins&) = delete;
   Plugins& operator=(const Plugins&) = delete;
-  /// Throws Error that says where the plugin was looked for.
+  /// Throws Error, which names the searched folders, if the plugin is not there.
   [[nodiscard]] const talweg_plugin& find(const char* id) const { return loaded_.find(id); }
-  /// What keeps the plugins loaded.
+  /// A copy of this object keeps the plugins loaded.
   [[nodiscard]] const LoadedPlugins& loaded() const { return loaded_; }
-  /// Where threads that use the plugins end.
+  /// The threads that still use the plugins after their owners are gone.
   [[nodiscard]] EndingThreads& ending_threads() const { return ending_; }
 
  private:
   LoadedPlugins loaded_;
-  mutable EndingThreads ending_;  // after what its threads use
+  mutable EndingThreads ending_;  // declared after loaded_, which its threads use
 };
 
-/// What is done in a workplace.
+/// The tasks of a workplace.
 enum class Task {
   kOpen,      ///< opens the mesh; always the first task of a thread
   kSmooth,    ///< smooths a drawing: curves and report
   kPlace,     ///< puts positions in space onto the mesh: points of a drawing
-  kDistance,  ///< distance and potential at every vertex
-  kDraw,      ///< the drawn curves as they lie on the mesh
-  kLeg,       ///< the same of one leg that is not drawn yet
-  kSee,       ///< what tells where the mesh is under the mouse
+  kDistance,  ///< measures distance and potential at every vertex
+  kDraw,      ///< draws the curves of a drawing along the mesh
+  kLeg,       ///< draws one leg that is not part of the drawing yet
+  kSee,       ///< builds the Sight of the mesh
 };
 
-/// What the user is doing during a request.
+/// The user's hand during a request.
 enum class Hand {
-  kRests,   ///< nothing: the result is final
+  kRests,   ///< the hand rests: the result is final
   kSlides,  ///< moves a slider: the curve is needed, but no deviation is measured
   kDrags,   ///< moves a point: as kSlides, and smoothed only near the change if the plugin can
 };
 
-/// What becomes of a mesh that is no surface, such as one with a face that comes twice.
+/// The treatment of a mesh that is no surface, for example because a face occurs twice.
 enum class Defects {
-  kRefuse,  ///< it cannot be opened; the outcome tells what a repair would do
-  kRepair,  ///< it is repaired; results keep the numbers of the mesh as it came
+  kRefuse,  ///< the mesh is not opened; the outcome says what a repair would change
+  kRepair,  ///< the mesh is repaired; results have the numbers of the mesh before the repair
 };
 
-/// The id of the plugin that does it; "" if none does.
+/// The id of the plugin that does a task; "" if no plugin is needed.
 const char* plugin_of(Task task);
 
 struct Request {
@@ -95,33 +96,35 @@ struct Outcome {
   Task task = Task::kOpen;
   std::uint64_t ticket = 0;
   talweg_status status = TALWEG_OK;
-  std::string sentence;                ///< the reason, if the status is not TALWEG_OK
+  std::string sentence;                ///< the error, if the status is not TALWEG_OK
   host::Results results;               ///< kSmooth, kDistance, kDraw and kLeg (only curves)
   std::vector<Curve> placed;           ///< kPlace
   std::shared_ptr<const Sight> sight;  ///< kSee
-  std::vector<std::string> repair;  ///< kOpen, TALWEG_BAD_MESH: what a repair would do, a sentence
-                                    ///< each; empty if it would not help
+  std::vector<std::string> repair;  ///< kOpen, TALWEG_BAD_MESH: the changes of a repair, a sentence
+                                    ///< each; empty if a repair would not help
   std::vector<std::string> notes;   ///< warnings of the plugins
   double milliseconds = 0;          ///< wall-clock time
 };
 
-/// Instances of the plugins, each made and opened when first needed. One thread at a time.
+/// Does tasks on one mesh. An instance of a plugin is made, and gets the mesh, when a task first
+/// needs it. Only one thread at a time may use the workplace.
 class Workplace {
  public:
-  /// Gets the plugin's name for the stage and a fraction; false cancels. May come from any thread.
+  /// Gets the plugin's name of the stage, and the fraction done, from 0 to 1; false cancels the
+  /// task. Any thread may call the function.
   using Ask = std::function<bool(const char* stage, double fraction)>;
 
-  /// Keeps the plugins loaded. Opens nothing yet.
+  /// Keeps the plugins loaded. The mesh is not opened yet.
   Workplace(const Plugins& plugins, std::shared_ptr<const MeshArrays> mesh,
             Defects defects = Defects::kRefuse, Ask ask = {});
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  /// Before the first task: a mesh that is repaired is welded within so many mesh units, too; 0:
-  /// only vertices at one place become one.
+  /// Sets the distance, mesh units, within which a repair welds vertices; 0: vertices at one place
+  /// become one vertex. Must be called before the first task.
   void weld_within(double tolerance) { weld_within_ = tolerance; }
 
-  /// Never throws for what is wrong with a request: the outcome says it.
+  /// Does a task. Does not throw: errors of a request are in the outcome.
   Outcome work(const Request& request);
 
  private:
@@ -134,7 +137,7 @@ class Workplace {
   void do_leg(const Request& request, Outcome& outcome);
   host::Curve drawn(const Curve& curve);
   host::Instance& opened(std::unique_ptr<host::Instance>& instance, const char* id);
-  std::vector<std::string> repair_told();
+  std::vector<std::string> repair_changes();
 
   LoadedPlugins plugins_;
   std::shared_ptr<const MeshArrays> mesh_;
@@ -143,8 +146,9 @@ class Workplace {
   std::vector<std::string> notes_;
   host::Services services_;  // must outlive the instances
   std::unique_ptr<host::Instance> smooth_, draw_, distance_;
-  std::optional<Drawing> smoothed_, measured_;  // whose curves the instances have
-  // What was drawn last: curves are the same while their pointers are.
+  // The drawings whose curves smooth_ and distance_ have.
+  std::optional<Drawing> smoothed_, measured_;
+  // The curves of the last kDraw with their lines. Equal pointers are equal curves.
   std::vector<std::pair<std::shared_ptr<const Curve>, host::Curve>> drawn_;
 };
 

@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "talweg_arrays.hpp"
+#include "talweg_checked_copies.hpp"
 #include "talweg_cut_plan.h"
-#include "talweg_given.hpp"
 #include "talweg_meshes.h"
 #include "talweg_plugin.h"
 #include "talweg_results.hpp"
@@ -186,15 +186,15 @@ inline talweg_attribute view_of(const Attribute& attribute) {
 
 /// The results of one call of a plugin. Its first wrong result ends the call with an error, even if
 /// the plugin continues.
-class Taken {
+class ResultCheck {
  public:
-  explicit Taken(const Limits& mesh) : limits_(mesh) {}
+  explicit ResultCheck(const Limits& mesh) : limits_(mesh) {}
 
   template <class List, class View>
   talweg_status append(List& list, const View* view) noexcept {
     try {
       if (failed()) return TALWEG_INTERNAL;
-      list.push_back(given(plugin::checked(view, "A result"), limits_));
+      list.push_back(checked_copy(plugin::checked(view, "A result"), limits_));
       return TALWEG_OK;
     } catch (const plugin::Failure& failure) {
       mistake_ = failure.what();
@@ -205,7 +205,7 @@ class Taken {
   }
   void count_curve() { limits_.curves = std::max(limits_.curves, ++given_curves_); }
   /// Throws Error, whose sentence names the plugin, or std::bad_alloc.
-  void check(const talweg_plugin& plugin) const {
+  void throw_failure(const talweg_plugin& plugin) const {
     if (no_memory_) throw std::bad_alloc();
     if (mistake_.empty()) return;
     throw Error(TALWEG_INTERNAL,
@@ -303,7 +303,7 @@ class Instance {
   void reset(const char* id) { check(plugin_->reset(instance_, id)); }
 
   Results run(const Wanted& wanted = {}) {
-    Gathering<Results> gathering{{}, detail::Taken(limits_)};
+    Gathering<Results> gathering{{}, detail::ResultCheck(limits_)};
     talweg_sink sink = {sizeof sink,
                         wanted.point_fields ? TALWEG_WANT_POINT_FIELDS : 0,
                         &gathering,
@@ -312,7 +312,7 @@ class Instance {
                         on_report,
                         wanted.meshes ? on_mesh : nullptr};
     const talweg_status status = plugin_->run(instance_, &sink);
-    gathering.taken.check(*plugin_);
+    gathering.check.throw_failure(*plugin_);
     check(status);
     return std::move(gathering.list);
   }
@@ -332,20 +332,20 @@ class Instance {
   template <class List>
   struct Gathering {
     List list;
-    detail::Taken taken;
+    detail::ResultCheck check;
   };
   /// The values that an extension's function passes one by one.
   template <class Own, class Given, class Call>
   std::vector<Own> all_given(const Call& call) const {
     using List = Gathering<std::vector<Own>>;
-    List gathering{{}, detail::Taken(limits_)};
+    List gathering{{}, detail::ResultCheck(limits_)};
     const talweg_status status = call(
         [](void* context, const Given* given) {
           auto& to = *static_cast<List*>(context);
-          return to.taken.append(to.list, given);
+          return to.check.append(to.list, given);
         },
         &gathering);
-    gathering.taken.check(*plugin_);
+    gathering.check.throw_failure(*plugin_);
     check(status);
     return std::move(gathering.list);
   }
@@ -359,17 +359,17 @@ class Instance {
     return *static_cast<Gathering<Results>*>(context);
   }
   static talweg_status on_curve(void* context, const talweg_curve* curve) {
-    own(context).taken.count_curve();
-    return own(context).taken.append(own(context).list.curves, curve);
+    own(context).check.count_curve();
+    return own(context).check.append(own(context).list.curves, curve);
   }
   static talweg_status on_field(void* context, const talweg_field* field) {
-    return own(context).taken.append(own(context).list.fields, field);
+    return own(context).check.append(own(context).list.fields, field);
   }
   static talweg_status on_report(void* context, const talweg_report_entry* entry) {
-    return own(context).taken.append(own(context).list.report, entry);
+    return own(context).check.append(own(context).list.report, entry);
   }
   static talweg_status on_mesh(void* context, const talweg_mesh* mesh) {
-    return own(context).taken.append(own(context).list.meshes, mesh);
+    return own(context).check.append(own(context).list.meshes, mesh);
   }
   void check(talweg_status status) const {
     if (status == TALWEG_OK) return;

@@ -47,7 +47,7 @@ void write(const std::vector<double>& values, std::vector<char>& bytes) {
   }
 }
 
-/// The values as numbers of that type.
+/// The bytes of values as numbers of a type (TALWEG_FLOAT32, ...).
 std::vector<char> bytes_of(const std::vector<double>& values, std::uint32_t type) {
   std::vector<char> bytes;
   switch (type) {
@@ -84,7 +84,7 @@ std::vector<char> bytes_of(const std::vector<double>& values, std::uint32_t type
   return bytes;
 }
 
-/// Entries of corners; TALWEG_NO_ENTRY is allowed, which is no index elsewhere.
+/// The entries of the corners, which may be TALWEG_NO_ENTRY.
 std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& given,
                                                      std::size_t faces, std::size_t entries) {
   const std::string name = given.name;
@@ -160,7 +160,7 @@ HostAttribute copied(const talweg_attribute& given, std::size_t vertices, std::s
   return result;
 }
 
-/// The same attribute of a mesh that was made.
+/// The attribute of a made mesh, with the values of its columns from `first` on.
 HostAttribute with_columns(const HostAttribute& attribute,
                            const std::vector<AttributeColumn>& columns, std::size_t first) {
   HostAttribute result = attribute;
@@ -185,7 +185,7 @@ HostAttribute with_corners(const HostAttribute& attribute, CornerAttribute carri
   return result;
 }
 
-/// A row for each corner.
+/// The values of an attribute of corners, with a row for each corner.
 std::vector<double> by_corner(const HostAttribute& attribute) {
   std::vector<double> values;
   values.reserve(attribute.corners.size() * 3 * attribute.columns);

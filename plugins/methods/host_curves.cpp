@@ -28,7 +28,7 @@ std::vector<FaceCoordinates> coordinates_of(const talweg_curve& curve) {
   return result;
 }
 
-/// The marks of the curve's points, if it has the field.
+/// The marks of a curve's points, if the curve has the field of marks.
 void read_marks(const talweg_curve& curve, CurveInput& input) {
   if (curve.field_count > 0 && curve.fields == nullptr) {
     throw plugin::Failure(TALWEG_BAD_USAGE, "A curve has fields, but the list of them is null.");

@@ -66,8 +66,8 @@ std::optional<RepairSteps> repair_of(const plugin::Parameters& parameters) {
 
 namespace {
 
-/// Plugins that are linked into one program get its mesh one after the other; while one has it, the
-/// next does not open it again.
+/// The mesh that a plugin opened last. Plugins linked into one program get the same mesh one after
+/// another; while one plugin has the mesh, the next need not open it again.
 class LastOpened {
  public:
   std::shared_ptr<const HostMesh> get() {
@@ -78,7 +78,7 @@ class LastOpened {
     const std::scoped_lock lock(mutex_);
     if (!closed_) mesh_ = mesh;
   }
-  /// At the program's end. A thread that is left to itself may still come afterwards.
+  /// Must be called at the program's end. A detached thread may still call get() and put() later.
   void close() {
     const std::scoped_lock lock(mutex_);
     closed_ = true;
@@ -91,15 +91,15 @@ class LastOpened {
   std::weak_ptr<const HostMesh> mesh_;
 };
 
-/// Is there as long as the plugin's memory, since it is never destroyed.
+/// The object is never destroyed, so detached threads can use it to the end.
 LastOpened& last_opened() {
   alignas(LastOpened) static std::byte place[sizeof(LastOpened)];
   static LastOpened& made = *new (place) LastOpened;
   return made;
 }
 
-/// It is there before a host has the plugin's table, so it goes after what the host ends at its
-/// exit, such as a thread that opens a mesh.
+/// The object is made before a host gets the plugin's table, so it is destroyed after the objects
+/// that the host destroys at its exit, such as a thread that opens a mesh.
 struct CloseLastOpened {
   CloseLastOpened() { last_opened(); }
   ~CloseLastOpened() { last_opened().close(); }
@@ -108,7 +108,7 @@ struct CloseLastOpened {
 };
 const CloseLastOpened close_last_opened;
 
-/// Bit for bit: 0 and -0 are not the same.
+/// Whether two lists are equal bit for bit: 0 and -0 differ.
 bool same_bits(std::span<const Point> a, std::span<const Point> b) {
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
@@ -181,11 +181,11 @@ std::size_t HostMesh::face_count() const {
   return map_ ? map_->file_face_count() : mesh().surface().face_count();
 }
 
-CurveInput HostMesh::taken(const CurveInput& curve) const {
+CurveInput HostMesh::from_host(const CurveInput& curve) const {
   return map_ ? map_->to_repaired(curve, mesh().surface()) : curve;
 }
 
-std::vector<SurfacePoint> HostMesh::taken_vertices(std::span<const std::uint32_t> ids) const {
+std::vector<SurfacePoint> HostMesh::vertices_from_host(std::span<const std::uint32_t> ids) const {
   std::vector<SurfacePoint> points;
   points.reserve(ids.size());
   const Surface& surface = mesh().surface();
@@ -208,23 +208,23 @@ void check_count(const std::vector<double>& values, std::size_t expected, const 
 
 }  // namespace
 
-std::vector<double> HostMesh::taken_per_vertex(const std::vector<double>& values,
-                                               const std::string& what) const {
+std::vector<double> HostMesh::per_vertex_from_host(const std::vector<double>& values,
+                                                   const std::string& what) const {
   check_count(values, vertex_count(), "vertices", what);
   return map_ ? map_->of_vertices(values) : values;
 }
 
-std::vector<double> HostMesh::taken_per_face(const std::vector<double>& values,
-                                             const std::string& what) const {
+std::vector<double> HostMesh::per_face_from_host(const std::vector<double>& values,
+                                                 const std::string& what) const {
   check_count(values, face_count(), "triangles", what);
   return map_ ? map_->of_faces(values) : values;
 }
 
-PlacedCurve HostMesh::given(PlacedCurve curve) const {
+PlacedCurve HostMesh::to_host(PlacedCurve curve) const {
   return map_ ? map_->to_file(std::move(curve)) : curve;
 }
 
-std::vector<double> HostMesh::given_per_vertex(const std::vector<double>& values) const {
+std::vector<double> HostMesh::per_vertex_to_host(const std::vector<double>& values) const {
   return map_ ? map_->to_file_vertices(values) : values;
 }
 

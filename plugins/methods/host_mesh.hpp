@@ -47,19 +47,20 @@ class HostMesh {
   [[nodiscard]] std::size_t face_count() const;    ///< before the repair
 
   // From the host's numbers to the opened mesh's.
-  [[nodiscard]] CurveInput taken(const CurveInput& curve) const;
-  [[nodiscard]] std::vector<SurfacePoint> taken_vertices(std::span<const std::uint32_t> ids) const;
+  [[nodiscard]] CurveInput from_host(const CurveInput& curve) const;
+  [[nodiscard]] std::vector<SurfacePoint> vertices_from_host(
+      std::span<const std::uint32_t> ids) const;
   /// Throws plugin::Failure(TALWEG_BAD_USAGE), with `what` in the sentence, for a wrong number of
   /// values.
-  [[nodiscard]] std::vector<double> taken_per_vertex(const std::vector<double>& values,
-                                                     const std::string& what) const;
-  [[nodiscard]] std::vector<double> taken_per_face(const std::vector<double>& values,
-                                                   const std::string& what) const;
+  [[nodiscard]] std::vector<double> per_vertex_from_host(const std::vector<double>& values,
+                                                         const std::string& what) const;
+  [[nodiscard]] std::vector<double> per_face_from_host(const std::vector<double>& values,
+                                                       const std::string& what) const;
 
   // From the opened mesh's numbers to the host's.
-  [[nodiscard]] PlacedCurve given(PlacedCurve curve) const;
+  [[nodiscard]] PlacedCurve to_host(PlacedCurve curve) const;
   /// A split vertex has the value of its first copy.
-  [[nodiscard]] std::vector<double> given_per_vertex(const std::vector<double>& values) const;
+  [[nodiscard]] std::vector<double> per_vertex_to_host(const std::vector<double>& values) const;
 
  private:
   static std::shared_ptr<const HostMesh> open_anew(MeshLists lists,

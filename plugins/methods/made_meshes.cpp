@@ -48,7 +48,7 @@ void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take)
     weights.push_back(origin.weights);
   }
   const std::array<std::uint32_t, 3> nowhere{TALWEG_NO_VERTEX, TALWEG_NO_VERTEX, TALWEG_NO_VERTEX};
-  vertices.resize(made.vertices, nowhere);  // those inside lids come last
+  vertices.resize(made.vertices, nowhere);  // vertices inside lids come last
   weights.resize(made.vertices);
   std::vector<std::uint32_t> closed, lengths;
   for (std::uint32_t c = 0; c < origins.curves.size(); ++c) {
@@ -73,7 +73,7 @@ void MadeMeshes::give_origin(std::uint64_t mesh, const plugin::TakeOrigin& take)
 MadeMesh made_by_cut(const HostMesh& mesh, std::shared_ptr<const CutMesh> cut, MeshPart part) {
   MadeMesh made;
   made.vertices = part.lists.points.size();
-  part.lists = {};  // the host has them
+  part.lists = {};  // the host has the lists
   const auto kept = std::make_shared<const MeshPart>(std::move(part));
   made.origins = [&mesh, cut, kept] {
     return origins_of(*kept, *cut, mesh.mesh().surface(), mesh.map());

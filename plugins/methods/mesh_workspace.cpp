@@ -33,7 +33,7 @@ void MeshWorkspace::go_on(const char* stage, double fraction) const {
 void MeshWorkspace::set_mesh(const talweg_mesh& mesh, const plugin::Parameters& parameters) {
   const std::optional<RepairSteps> steps = repair_of(parameters);
   std::shared_ptr<const HostMesh> opened = HostMesh::open(lists_of(mesh), steps);
-  forget();  // what refers to the last mesh
+  forget();  // drops all that refers to the last mesh
   mesh_ = std::move(opened);
   steps_ = steps;
 }

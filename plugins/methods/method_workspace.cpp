@@ -10,7 +10,7 @@
 namespace talweg::plugins {
 namespace {
 
-/// The number of contacts of each curve with itself or a later one.
+/// The number of contacts of each curve with itself and with later curves.
 std::vector<std::size_t> contacts_of(const Surface& surface, std::span<const SurfaceCurve> curves) {
   std::vector<std::size_t> count(curves.size(), 0);
   for (const SelfContact& contact : self_contacts(surface, curves)) ++count[contact.curve];
@@ -68,7 +68,7 @@ std::vector<SmoothingReport> MethodWorkspace::reports_on(const Method& method,
 
 namespace {
 
-/// Replaces the engine in reports by the method's name.
+/// Writes the method's name as the engine of reports.
 void name_engine(std::vector<ReportEntry>& entries, const char* engine) {
   for (ReportEntry& entry : entries) {
     if (entry.key == "engine") entry.value = std::string(engine);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kOfValue = 4;  // units of work
 
-/// Does work with a distance while asking the host whether to go on.
+/// Does work with a distance, and asks the host now and then whether to go on.
 template <class Work>
 void asked(PolylineDistance& distance, const plugin::Services& services, const Work& work) {
   try {
@@ -24,8 +24,8 @@ void asked(PolylineDistance& distance, const plugin::Services& services, const W
   }
 }
 
-/// All vertices, those beside the curves first, then their neighbours, and so on: answers are
-/// final about as soon as they are asked for, so that the progress is that of the work.
+/// All vertices: first those beside the curves, then their neighbours, and so on. In this order
+/// each distance follows from the answers before it, so that the progress is steady.
 std::vector<VertexId> outwards(const Surface& surface, std::span<const SurfaceCurve> curves) {
   std::vector<VertexId> order;
   std::vector<bool> reached(surface.vertex_count(), false);

@@ -10,7 +10,7 @@ namespace {
 
 using plugin::view;
 
-/// Makes the C entry for one value; `numbers` and `texts` are the arrays it points to.
+/// Makes the entry in C of one value. The entry points to `numbers` or to `texts`.
 struct AsEntry {
   talweg_report_entry& entry;
   std::vector<double>& numbers;
@@ -109,7 +109,7 @@ void give_curves(const plugin::Outputs& outputs, const HostMesh& mesh,
   std::vector<PlacedCurve> placed;
   std::vector<std::vector<PointField>> fields(curves.size());
   for (std::size_t c = 0; outputs.wants_curves() && c < curves.size(); ++c) {
-    placed.push_back(mesh.given(place(mesh.mesh(), curves[c], c)));
+    placed.push_back(mesh.to_host(place(mesh.mesh(), curves[c], c)));
     if (outputs.wants_point_fields()) fields[c] = fields_of(c);
   }
   if (outputs.wants_report()) give(outputs, -1, entries_of(-1));

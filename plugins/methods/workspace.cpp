@@ -30,7 +30,7 @@ talweg_plugin about_curves(const char* id, const char* label, const char* doc) {
 void Workspace::set_curves(std::span<const talweg_curve* const> curves) {
   std::vector<CurveInput> inputs;
   for (const talweg_curve* curve : curves) inputs.push_back(input_of(*curve));
-  put(taken(inputs));
+  put(from_host(inputs));
   curves_ = std::move(inputs);
 }
 
@@ -41,27 +41,27 @@ void Workspace::put(const std::vector<CurveInput>& curves) {
   drawing_ = snapped_;
 }
 
-void Workspace::finish_ends(CurveEnds ends, std::optional<LedCurves> led) {
-  if (ends != ends_ || led != led_) ++drawings_;
+void Workspace::finish_ends(CurveEnds ends, std::optional<ExtendedCurves> extended) {
+  if (ends != ends_ || extended != extended_) ++drawings_;
   ends_ = ends;
-  led_ = led;
+  extended_ = extended;
   drawing_ = with_loops_closed(mesh(), snapped_, lines(), ends);
-  if (led) drawing_ = with_ends_at_border(mesh(), std::move(drawing_), lines(), *led);
+  if (extended) drawing_ = with_ends_at_border(mesh(), std::move(drawing_), lines(), *extended);
 }
 
 void Workspace::put_again() {
-  if (!curves_.empty()) put(taken(curves_));
+  if (!curves_.empty()) put(from_host(curves_));
 }
 
-std::vector<CurveInput> Workspace::taken(const std::vector<CurveInput>& curves) const {
+std::vector<CurveInput> Workspace::from_host(const std::vector<CurveInput>& curves) const {
   std::vector<CurveInput> result;
   result.reserve(curves.size());
-  for (const CurveInput& curve : curves) result.push_back(host_mesh().taken(curve));
+  for (const CurveInput& curve : curves) result.push_back(host_mesh().from_host(curve));
   return result;
 }
 
 void Workspace::forget() {
-  lines_.reset();  // refers to the mesh
+  lines_.reset();  // the lines refer to the mesh
   snapped_ = {};
   drawing_ = {};
   ++drawings_;

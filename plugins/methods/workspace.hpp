@@ -34,9 +34,9 @@ class Workspace : public MeshWorkspace {
 
   [[nodiscard]] StraightLines& lines();
   [[nodiscard]] const SnappedDrawing& drawing() const { return drawing_; }
-  /// Closes the curves that are meant as loops, and extends the ends of the curves chosen by `led`
-  /// to the border. Before this call no curve is changed.
-  void finish_ends(CurveEnds ends, std::optional<LedCurves> led = {});
+  /// Closes the curves that are meant as loops, and extends the ends of the curves chosen by
+  /// `extended` to the border. Before this call no curve is changed.
+  void finish_ends(CurveEnds ends, std::optional<ExtendedCurves> extended = {});
   /// Warnings on the drawing, and sentences on the repair.
   [[nodiscard]] std::vector<std::string> reading_warnings() const;
   /// Counts the drawings and meshes that were set; a change of pins alone does not count.
@@ -44,14 +44,14 @@ class Workspace : public MeshWorkspace {
 
  private:
   void put_again() override;
-  [[nodiscard]] std::vector<CurveInput> taken(const std::vector<CurveInput>& curves) const;
+  [[nodiscard]] std::vector<CurveInput> from_host(const std::vector<CurveInput>& curves) const;
 
   std::optional<StraightLines> lines_;  // made when first needed
   std::vector<CurveInput> curves_;      // in the host's numbers
   SnappedDrawing snapped_;
-  SnappedDrawing drawing_;  // with loops closed, and ends led to the border
+  SnappedDrawing drawing_;  // with loops closed, and ends extended to the border
   CurveEnds ends_ = CurveEnds::kOpen;
-  std::optional<LedCurves> led_;
+  std::optional<ExtendedCurves> extended_;
   std::uint64_t drawings_ = 0;
 };
 

@@ -7,7 +7,7 @@ set(algorithms
   drawing/better_fit drawing/canonical_order drawing/capping drawing/curve_embedding drawing/drawn_legs
   drawing/edge_landmarks drawing/even_points
   drawing/path_contacts drawing/surface_normals
-  drawing/taken_points
+  drawing/marked_points
   fairing/band_solver fairing/chain_curve fairing/chain_parts fairing/curve_fairing fairing/drawn_line
   fairing/near_points fairing/saddle_passing
   lifting/bump_convolution lifting/corridor smoothing/corridor_width smoothing/curve_gaps

@@ -17,18 +17,18 @@ SIX_DIGITS = 5e-6  # in parts of the size: the error of coordinates with six dig
 
 
 class Missing(Exception):
-    """A program that is not installed."""
+    """Raised for a program that is not installed."""
 
 
 class File:
-    """A file of the mesh, and its differences from the mesh."""
+    """A file of the mesh, and the ways in which it differs from the mesh."""
 
     def __init__(self, name, bound=1e-6, y_up=False, weld=False, beside=False):
         self.name = name
         self.bound = bound  # largest distance from the reference, in parts of the mesh's size
         self.y_up = y_up  # (x, y, z) is written as (x, z, -y)
         self.weld = weld  # triangles share no vertices in the file
-        self.beside = beside  # its numbers are in a second file, which the page cannot read
+        self.beside = beside  # the numbers are in a second file, which the page cannot read
 
 
 def ran(*words, folder=None, **more):
@@ -43,7 +43,7 @@ def ran(*words, folder=None, **more):
 
 
 def nibabel(folder, mesh):
-    """GIFTI in its encodings and orders, FreeSurfer's surfaces."""
+    """Files by nibabel: GIFTI in all encodings and orders of arrays, and surfaces of FreeSurfer."""
     try:
         import nibabel as nib
         import nibabel.freesurfer as fs
@@ -56,7 +56,7 @@ def nibabel(folder, mesh):
         about = {"AnatomicalStructurePrimary": "CortexLeft", "GeometricType": "Anatomical"}
         points = gifti.GiftiDataArray(vertices.astype(kind), "NIFTI_INTENT_POINTSET",
                                       meta=gifti.GiftiMetaData(about), **how)
-        # A transformation to another space, which must not move the points.
+        # A transformation to another space must not move the points.
         points.coordsys = gifti.GiftiCoordSystem(1, 3, np.diag([1.0, 2, 3, 1]))
         corners = gifti.GiftiDataArray(faces.astype(np.int32), "NIFTI_INTENT_TRIANGLE", **how)
         gifti.GiftiImage(darrays=[points, corners]).to_filename(folder / name)
@@ -74,7 +74,7 @@ def nibabel(folder, mesh):
 
 
 def workbench(folder, mesh):
-    """The encodings of wb_command, from nibabel's files."""
+    """GIFTI files in the encodings of wb_command, converted from nibabel's files."""
     nibabel(folder, mesh)
     files = []
     for encoding in ("ASCII", "BASE64_BINARY", "GZIP_BASE64_BINARY"):
@@ -89,7 +89,7 @@ def workbench(folder, mesh):
 
 
 def gmsh(folder, mesh):
-    """2.2 and 4.1, text and binary; and the formats that gmsh shares."""
+    """Files by gmsh: its formats 2.2 and 4.1, as text and binary, and formats of other programs."""
     write_stl(folder / "for-gmsh.stl", *mesh)
     files = []
     for version in ("msh22", "msh41"):
@@ -105,7 +105,7 @@ def gmsh(folder, mesh):
 
 
 def _polydata(mesh):
-    """:raises Missing: without VTK."""
+    """The mesh as vtkPolyData. :raises Missing: without VTK."""
     try:
         from vtkmodules.util.numpy_support import numpy_to_vtk
         from vtkmodules.vtkCommonCore import vtkPoints
@@ -122,7 +122,7 @@ def _polydata(mesh):
 
 
 def vtk(folder, mesh):
-    """Legacy files of both encodings and versions; XML files, as they are and packed."""
+    """Files by VTK: legacy files in both encodings and versions, XML files with and without compression."""
     data = _polydata(mesh)
     from vtkmodules.vtkIOGeometry import vtkSTLWriter
     from vtkmodules.vtkIOLegacy import vtkPolyDataWriter
@@ -157,7 +157,7 @@ def vtk(folder, mesh):
 
 
 def meshio(folder, mesh):
-    """What meshio writes of the formats that are read here."""
+    """Files by meshio in all formats that Talweg reads."""
     try:
         import meshio as io
     except ImportError:
@@ -176,7 +176,7 @@ def meshio(folder, mesh):
 
 
 def blender(folder, mesh):
-    """Blender turns the axes of what it exports, if it is not told otherwise."""
+    """Files by Blender, whose exporters turn the axes unless an option says otherwise."""
     np.savez(folder / "for-blender.npz", vertices=mesh[0], faces=mesh[1])
     ran("blender", "--background", "--factory-startup", "--python-exit-code", "1", "--python",
         HERE / "in_blender.py", "--", folder, env={**os.environ, "HOME": str(folder)})
@@ -189,7 +189,7 @@ def blender(folder, mesh):
 
 
 def openmesh(folder, mesh):
-    """All that OpenMesh writes; PLY and OFF in both byte orders."""
+    """Files by OpenMesh in all its formats; PLY and OFF in both byte orders."""
     program = os.environ.get("TALWEG_OPENMESH_WRITER", "")
     if not program:
         raise Missing("the program that writes by OpenMesh is not built")
@@ -202,7 +202,7 @@ def openmesh(folder, mesh):
 
 
 def core_3mf(folder, mesh):
-    """No program that Debian's ParaView and Blender come with writes 3MF: by its specification."""
+    """A 3MF file after its specification, since none of the installed programs writes 3MF."""
     lines = ['<?xml version="1.0" encoding="UTF-8"?>',
              '<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">',
              '<resources><object id="1" type="model"><mesh><vertices>']

@@ -1,4 +1,4 @@
-// talweg-openmesh-writer MESH FOLDER: the mesh as OpenMesh writes it, in its formats, encodings and
+// talweg-openmesh-writer MESH FOLDER writes the mesh by OpenMesh in all its formats, encodings and
 // byte orders.
 #include <cstdio>
 #include <string>

@@ -25,7 +25,8 @@ def z_up(points):
 
 
 def distance(curve, other):
-    """The largest distance of a point of either polyline from the other; both are (points, closed)."""
+    """The largest distance of a point of one polyline from the other one, both ways. A polyline is a pair
+    (points, closed)."""
     return max(_farthest(curve, other), _farthest(other, curve))
 
 
@@ -43,7 +44,7 @@ def _farthest(curve, other):
 
 
 def driver(*words):
-    """Runs the driver; its message if it fails."""
+    """Runs the driver. :raises AssertionError: with the driver's message, if the driver fails."""
     done = subprocess.run([os.environ["TALWEG_DRIVER"], "--quiet", *map(str, words)], check=False,
                           capture_output=True, text=True)
     if done.returncode != 0:
@@ -51,13 +52,13 @@ def driver(*words):
 
 
 def curves_of(path):
-    """(points, closed) of each curve of Talweg's JSON."""
+    """The curves of a JSON file of Talweg, as pairs (points, closed)."""
     return [(np.array([point["xyz"] for point in curve["points"]]), curve["closed"])
             for curve in json.loads(Path(path).read_text(encoding="utf-8"))["curves"]]
 
 
 class Comparison:
-    """Curves of each host beside those of the mesh itself."""
+    """Compares the curves of each host with the curves on the mesh itself."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -84,7 +85,7 @@ class Comparison:
         return [(curve.positions, curve.closed) for curve in result.curves]
 
     def in_page(self, files):
-        """By name: curves, or an error."""
+        """The curves, or the error, of each file, by its name."""
         answers = {}
         for up in (False, True):
             some = [file for file in files if file.y_up == up]
@@ -98,7 +99,7 @@ class Comparison:
                 for name, answer in answers.items()}
 
     def compare(self, host, file, curves):
-        """Tells where a curve is another one."""
+        """Reports curves that differ from the curve on the mesh itself."""
         if isinstance(curves, str):
             return self.fail(file, host, curves)
         if [c for _, c in curves] != [c for _, c in self.expected]:
@@ -126,7 +127,7 @@ class Comparison:
 
 
 def answer_of(host, file):
-    """Its curves, or its error."""
+    """The curves of a host for a file, or its error."""
     try:
         return host(file)
     except Exception as error:  # pylint: disable=broad-except
@@ -134,7 +135,7 @@ def answer_of(host, file):
 
 
 def made(folder, mesh, programs):
-    """The files of these programs, or of all, where they are installed."""
+    """The files of these programs, or of all programs. Programs that are not installed are left out."""
     files = []
     for maker in makers.MAKERS:
         if programs and maker.__name__ not in programs:

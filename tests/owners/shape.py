@@ -6,7 +6,7 @@ SIZE = 12.0  # largest extent, mm
 
 
 def _bumpy(directions):
-    """How far the surface is in these directions: no two of its axes are alike."""
+    """The distance of the surface from the origin in these directions. All axes of the surface differ."""
     x, y, z = directions.T
     return 4 + 0.7 * np.sin(2 * x + y) + 0.5 * np.cos(3 * y - z) * x + 0.6 * z * z * y
 
@@ -32,7 +32,8 @@ def _quartered(vertices, faces):
 
 
 def mesh():
-    """2,562 vertices that 32-bit floats hold, 5,120 faces; neither axis nor origin is special."""
+    """A bumpy sphere of 2,562 vertices, exact as 32-bit floats, and 5,120 faces, without symmetry about the
+    origin or an axis."""
     vertices, faces = _icosahedron()
     for _ in range(4):
         vertices, faces = _quartered(vertices, faces)
@@ -42,7 +43,7 @@ def mesh():
 
 
 def _stroke(angles, tilt):
-    """Positions near the surface around the axis that is tilted so far."""
+    """Positions near the surface on a circle around a tilted axis."""
     wobble = 0.25 * np.sin(9 * angles) + 0.02 * np.sin(61 * angles)
     ring = np.stack([np.cos(angles), np.sin(angles), wobble], 1)
     turn = np.array([[1, 0, 0], [0, np.cos(tilt), -np.sin(tilt)], [0, np.sin(tilt), np.cos(tilt)]])
@@ -51,19 +52,19 @@ def _stroke(angles, tilt):
 
 
 def drawing():
-    """A closed stroke and an open one, which do not meet: (positions, closed)."""
+    """A closed and an open stroke, which do not meet, as pairs (positions, closed)."""
     turn = np.linspace(0, 2 * np.pi, 240, endpoint=False)
     return [(_stroke(turn, 0.5), True), (_stroke(np.linspace(0.2, 2, 80), 1.9), False)]
 
 
 def labels():
-    """Four labels, one for each vertex: by the sides of two tilted planes."""
+    """One of four labels for each vertex, by the sides of two tilted planes."""
     x, y, z = (mesh()[0] - (1.5, -0.7, 2.2)).T
     return (x + 0.3 * y > 0).astype(int) + 2 * (z - 0.4 * x > 0.3)
 
 
 def write_drawing(path, curves):
-    """OBJ: positions with 17 digits, one line for each curve."""
+    """Writes curves as OBJ: positions with 17 digits, one line for each curve."""
     with open(path, "w", encoding="ascii") as out:
         first = 1
         for positions, closed in curves:

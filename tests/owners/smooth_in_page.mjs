@@ -1,5 +1,5 @@
-// smooth_in_page.mjs FOLDER DRAWING: the page's engine smooths the drawing on every mesh that standard input
-// names, one a line ("NAME", or "NAME repair"); prints JSON, by name the curves or the error.
+// smooth_in_page.mjs FOLDER DRAWING: the page's engine smooths the drawing on each mesh that a line of the
+// standard input names ("NAME", or "NAME repair"). Prints JSON: the curves or the error, by name.
 import { readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { talwegModule } from '../hosts/browser/talweg_module.mjs';

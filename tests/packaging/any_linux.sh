@@ -1,7 +1,7 @@
 #!/bin/sh
 # any_linux.sh OUT ROOT [SUITE [MIRROR]]: tries what ./run release made (OUT) in a new minimal Debian SUITE
-# (bullseye) with nothing but Python and numpy: the first example of docs/python.md, the archive from two
-# folders; nothing is left behind. Says what they fill and how long they take. Needs root, debootstrap and
+# (bullseye) with nothing but Python and numpy: the first example of docs/python.md, and the archive from
+# two folders, without leftovers. Prints the disk space and the time of both. Needs root, debootstrap and
 # the network. Not part of CI.
 set -eu
 out=$1 root=$2 suite=${3:-bullseye} mirror=${4:-http://deb.debian.org/debian}
@@ -10,7 +10,7 @@ start=$(date +%s)
 debootstrap --variant=minbase --include=python3,python3-pip,python3-numpy "$suite" "$root" "$mirror" \
   >"$root.log" 2>&1
 echo "minimal root: $(du -smx "$root" | cut -f1) MiB, $(($(date +%s) - start)) s"
-# Programs find themselves, and the libraries beside them, by /proc.
+# Programs find their own path, and the libraries beside them, by /proc.
 mount -t proc proc "$root/proc"
 trap 'umount "$root/proc"' EXIT
 mkdir "$root/given"

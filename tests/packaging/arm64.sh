@@ -1,5 +1,5 @@
 #!/bin/sh
-# arm64.sh OUT FOLDER TALWEG [MESH CURVE]: tries by qemu what ./run release arm64 made (OUT is its folder) in new
+# arm64.sh OUT FOLDER TALWEG [MESH CURVE]: tries the files of ./run release arm64 (in folder OUT) by qemu in new
 # roots in FOLDER, one with nothing but Debian 11's glibc. There the archive smooths CURVE on MESH (else a drawing
 # of the Python tests) as TALWEG, the program for this machine, does here, to 1e-12 of the curve's size, and refuses
 # a missing file by a sentence. In the other, with Debian 11's Python and numpy, the wheel passes fast tests of the

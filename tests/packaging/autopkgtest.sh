@@ -1,6 +1,6 @@
 #!/bin/sh
 # autopkgtest.sh DEBS ROOT [MIRROR]: the tests in debian/tests, each on the Debian packages in DEBS, in a
-# minimal Debian 12 that is made in ROOT where there is none. Needs root, debootstrap, autopkgtest,
+# minimal Debian 12, which is made in ROOT if ROOT does not exist. Needs root, debootstrap, autopkgtest,
 # dpkg-dev and the network. Not part of CI.
 set -eu
 debs=$(cd "$1" && pwd) root=$2 mirror=${3:-http://deb.debian.org/debian}
@@ -11,7 +11,7 @@ if [ ! -e "$root/usr/bin/apt-get" ]; then
 fi
 clean="env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8" # nothing of ours gets in
 tree=$(mktemp -d)
-# A test of this kind cannot take back what it has installed, so each has a copy of the root.
+# A test of this kind cannot remove the packages that it installs, so each test has a copy of the root.
 trap 'rm -rf "$tree" "$root.copy"' EXIT
 cp -r "$here/debian" "$here/../consumer" "$tree"
 awk '/^## The first/ { here = 1 } here && /^```$/ { exit } code; here && /^```python/ { code = 1 }' \

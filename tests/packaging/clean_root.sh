@@ -1,6 +1,6 @@
 #!/bin/sh
 # clean_root.sh DEBS ROOT [MIRROR]: tries the Debian packages of a folder in a new minimal Debian 12.
-# Needs root, debootstrap and the network; says how long it takes and what it fills. Not part of CI.
+# Prints the time and the disk space. Needs root, debootstrap and the network. Not part of CI.
 set -eu
 debs=$1 root=$2 mirror=${3:-http://deb.debian.org/debian}
 consumer=$(cd "$(dirname "$0")/../consumer" && pwd)

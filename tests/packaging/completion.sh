@@ -1,6 +1,6 @@
 #!/bin/bash
-# completion.sh TALWEG: bash completes the commands and options of the help; zsh and fish, where they
-# are, take the scripts.
+# completion.sh TALWEG: bash completes the commands and options of the help. zsh and fish, if they are
+# installed, accept the scripts.
 set -eu
 talweg=$1
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# man_page.sh TALWEG PAGE: the manual page names every command and option of the help, and no other.
+# man_page.sh TALWEG PAGE: the manual page names every command and option of the help, and no others.
 set -eu
 talweg=$1 page=$2
 words() { grep -oE -e '--[a-z][a-z-]+' | sort -u; }

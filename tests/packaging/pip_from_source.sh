@@ -1,7 +1,7 @@
 #!/bin/sh
 # pip_from_source.sh OUT FOLDER: installs the source distribution that ./run release made (OUT) by pip in a
-# new environment in FOLDER, without a network, with what Debian has; its files are those of the wheel,
-# and it runs the first example of docs/python.md. Compiles the library. Not part of CI.
+# new environment in FOLDER, without a network, with packages of Debian. The installed files are those of the
+# wheel, and the first example of docs/python.md runs. Compiles the library. Not part of CI.
 set -eu
 out=$(cd "$1" && pwd)
 page=$(cd "$(dirname "$0")/../../docs" && pwd)/python.md

@@ -1,7 +1,7 @@
 #!/bin/sh
 # same_bytes.sh FOLDER: makes the release twice, in new clones whose paths have different lengths, the second
-# time without the ccache that there may be; everything in it must have the same bytes. Needs what
-# ./run release needs. Takes twice as long; not part of CI.
+# time without ccache. All files of both releases must have the same bytes. Needs the programs of
+# ./run release, and twice its time. Not part of CI.
 set -eu
 project=$(cd "$(dirname "$0")/../.." && pwd)
 rm -rf "$1"
@@ -10,7 +10,7 @@ folder=$(cd "$1" && pwd)
 for clone in one a/longer/path/two; do
   start=$(date +%s) log=$folder/$(basename "$clone").log
   git clone -q "$project" "$folder/$clone"
-  project=$folder/one # the same commit, whatever is done here meanwhile
+  project=$folder/one # the same commit, even if the checkout changes meanwhile
   (cd "$folder/$clone" && ./run page && plugins/packages/release.sh build/release) >"$log" 2>&1 ||
     { tail -n 20 "$log" >&2; exit 1; }
   echo "$clone: $(($(date +%s) - start)) s"

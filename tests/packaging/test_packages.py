@@ -1,4 +1,4 @@
-"""What packages are made with: the wheel's tag, the list of what is inside, the citation."""
+"""The tools that make packages: the tag of the wheel, the list of contents (SPDX), the citation."""
 
 import json
 import os
@@ -56,7 +56,7 @@ class Spdx(unittest.TestCase):
                "talweg_blender-1.2.3-windows.zip")
 
     def setUp(self):
-        # What is not installed on every machine that runs tests.
+        # Packages that are not installed on every machine that runs tests.
         for function, made_up in (("debian_version", lambda package: "1:2.0+b1"),
                                   ("unpacked_version", lambda package, root: "1:2.0+b1")):
             version_of = mock.patch.object(spdx, function, made_up)
@@ -86,7 +86,7 @@ class Spdx(unittest.TestCase):
             self.assertIn(relation["relatedSpdxElement"], ids)
 
     def test_sums_of_both_kinds(self):
-        # Of "abc", as in FIPS 180-2. SPDX 2.3 does without the second, not without the first.
+        # The checksums of "abc" in FIPS 180-2. SPDX 2.3 requires the first one and allows the second.
         self.assertEqual({one["algorithm"]: one["checksumValue"] for one in self.document["files"][0]["checksums"]},
                          {"SHA1": "a9993e364706816aba3e25717850c26c9cd0d89d",
                           "SHA256": "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"})

@@ -1,5 +1,5 @@
-"""The source distribution for pip: what is in it, and that CMake takes it. Compiling it takes minutes:
-tests/packaging/pip_from_source.sh does that."""
+"""The source distribution for pip: its contents, and that CMake accepts it. The compilation takes minutes
+and is part of tests/packaging/pip_from_source.sh."""
 
 import os
 import subprocess
@@ -64,7 +64,7 @@ class SourceDistribution(unittest.TestCase):
         self.assertEqual([p.name for p in found if p.parts[0] == "heat"], ["a.cpp"])
 
     def test_cmake_finds_all_that_it_names(self):
-        # Generating fails where a source is missing.
+        # CMake fails to generate if a source is missing.
         done = subprocess.run(["cmake", "-S", self.tree / "source", "-B", self.tree / "build",
                                *native_sources.OPTIONS], check=False, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)

@@ -22,7 +22,7 @@ tree=$(echo "$place"/talweg-*)
 talweg() { "$wine" "$tree/bin/talweg.exe" "$@"; }
 
 fail() { echo "$1" >&2; exit 1; }
-# refused CODE WORDS ARGUMENT...: ends with this code and one line that has these words.
+# refused CODE WORDS ARGUMENT...: the program ends with this code and one line that has these words.
 refused() {
   local code=$1 words=$2 status=0
   shift 2
@@ -61,7 +61,7 @@ mkdir -p "$long"
 cp mäsh.obj "$long"
 talweg draw "${long}mäsh.obj" --through 0,1,4,5 -o "${long}drawn.json"
 cmp drawn.json "${long}drawn.json" || fail "a long name gives another curve"
-talweg smooth mäsh.obj --curve drawn.json -o smooth.vtp # over the old one
+talweg smooth mäsh.obj --curve drawn.json -o smooth.vtp # replaces the old file
 test -z "$(find . -name '*.tmp*')" || fail "temporary files are left"
 
 # Wrong inputs.
@@ -74,7 +74,7 @@ refused 1 "was not expected" smooht mäsh.obj
 refused 2 "Cannot write nirgends" draw mäsh.obj --through 0,1 -o nirgends/drawn.json
 echo "The program works: $(talweg --version | head -n 1 | tr -d '\r')"
 
-# What other programs do: one reads the old file for a while, one presses Ctrl-Break in a long computation.
+# Other programs: one reads the old file for a while, another presses Ctrl-Break in a long computation.
 gcc=x86_64-w64-mingw32-gcc-posix
 $gcc -municode -O1 "$here/windows_habits.c" -o "$work/habits.exe"
 habits() { "$wine" "$work/habits.exe" "$@"; }
@@ -88,7 +88,7 @@ habits hold smooth.vtp 9000 "$program" smooth mäsh.obj --curve drawn.json -o sm
 [[ $status == 2 ]] && grep -q "Cannot write smooth.vtp: another program has it open" err.txt ||
   fail "a file that is read for long: exit code $status, $(cat err.txt)"
 
-# A host of another compiler's making, in C, with the loader's library.
+# A host in C by another compiler, with the loader's library.
 $gcc -I"$tree/include" "$here/../interface/list_plugins.c" "$tree/lib/talweg_loader.lib" -o "$tree/bin/list.exe"
 test "$("$wine" "$tree/bin/list.exe" | wc -l)" -ge 11 || fail "the loader finds no plugins"
 rm "$tree/bin/list.exe"

@@ -1,5 +1,5 @@
 /*
- * What other programs do to talweg.exe on Windows.
+ * Actions of other programs that affect talweg.exe on Windows.
  *   windows_habits hold FILE MS COMMAND...   COMMAND runs while FILE is being read for MS milliseconds
  *   windows_habits break MS COMMAND...       after MS milliseconds Ctrl-Break is pressed
  * Ends with COMMAND's exit code.
@@ -9,7 +9,7 @@
 #include <wchar.h>
 #include <windows.h>
 
-/* The line behind the first `skipped` words, as it was given. */
+/* The command line after the first `skipped` words, unchanged. */
 static wchar_t *command_after(int skipped) {
   wchar_t *at = GetCommandLineW();
   for (int k = 0; k < skipped; ++k) {

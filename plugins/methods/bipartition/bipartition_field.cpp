@@ -21,9 +21,9 @@ struct Entry {
 };
 
 struct Border {
-  std::vector<char> at_vertex;  // per vertex
-  std::vector<char> whole;      // per face: whether all three vertices are sources
-  std::vector<char> reached;    // per vertex: whether it is connected with a border
+  std::vector<char> at_vertex;  // per vertex: whether the vertex is on the border
+  std::vector<char> whole;      // per face: whether all three vertices are on the border
+  std::vector<char> reached;    // per vertex: whether its component has a border
 };
 
 Border border_of(const Surface& surface, const std::vector<char>& side,
@@ -80,13 +80,13 @@ std::vector<std::vector<Entry>> columns_of(const SymmetricMatrix& matrix) {
   return columns;
 }
 
-/// matrix · matrix + diagonal.
+/// The product matrix · matrix, plus a diagonal matrix.
 SymmetricMatrix squared(const SymmetricMatrix& matrix, const std::vector<double>& diagonal) {
   const std::vector<std::vector<Entry>> columns = columns_of(matrix);
   SymmetricMatrix result;
   result.column_start = {0};
   std::vector<double> sum(matrix.size(), 0.0);
-  std::vector<std::size_t> last(matrix.size(), matrix.size());  // column in which a row was met
+  std::vector<std::size_t> last(matrix.size(), matrix.size());  // per row, its last column
   std::vector<std::int32_t> rows;
   for (std::size_t j = 0; j < matrix.size(); ++j) {
     rows = {static_cast<std::int32_t>(j)};
@@ -113,7 +113,8 @@ SymmetricMatrix squared(const SymmetricMatrix& matrix, const std::vector<double>
   return result;
 }
 
-/// Minimises |S x - b|² + anchor² |x on the border|² where the border is reached; 0 elsewhere.
+/// The minimum x of |S x - b|² + anchor² |x on the border|² in components with a border; 0
+/// elsewhere.
 std::vector<double> fitted(const CotanLaplacian& laplacian, const std::vector<double>& b,
                            const Border& border, double anchor) {
   std::vector<double> anchors;

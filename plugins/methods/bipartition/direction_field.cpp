@@ -26,7 +26,7 @@ std::array<double, 3> values_of(const Surface& surface, FaceId f, const ScaledFi
   return values;
 }
 
-/// The gradients of a face's hat functions.
+/// The gradients of the three hat functions of a face.
 struct FaceGradients {
   std::array<Point, 3> hat;  ///< of each corner's hat function, in 1 / mesh units
   double area = 0;           ///< 0 if there are no gradients
@@ -69,7 +69,7 @@ DirectionField gradient_directions(const SurfaceMesh& mesh, const ScaledField& u
     if (skipped[f] != 0) continue;
     const std::array<double, 3> value = values_of(mesh.surface(), FaceId{f}, u);
     const FaceGradients g = gradients_of(mesh, FaceId{f});
-    // Uses differences, so that a constant function has no direction.
+    // Differences of values make the gradient of a constant function exactly 0.
     const Point gradient =
         unit((value[1] - value[0]) * g.hat[1] + (value[2] - value[0]) * g.hat[2]);
     field[f] = side[f] != 0 ? Point(-gradient) : gradient;

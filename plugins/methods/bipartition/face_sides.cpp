@@ -20,7 +20,7 @@ std::pair<std::uint32_t, std::uint32_t> ends(std::uint32_t a, std::uint32_t b) {
   return std::minmax(a, b);
 }
 
-/// The edges along which the curves run an odd number of times, in order.
+/// The edges along which curves run an odd number of times, in ascending order.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_of(const CutMesh& cut) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all, odd;
   for (const CutMesh::Chain& chain : cut.chains) {

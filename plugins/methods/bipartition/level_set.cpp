@@ -6,7 +6,7 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr double kMargin = 1e-6;  // of an edge
+constexpr double kMargin = 1e-6;  // as part of an edge
 
 class ZeroSet {
  public:

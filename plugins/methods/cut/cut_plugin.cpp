@@ -84,11 +84,11 @@ class Cut : public MakesMeshes<Workspace> {
     plan_.reset();
     const Stopwatch watch;
     const PartOptions options = part_options(parameters);
-    std::optional<LedCurves> led;
+    std::optional<ExtendedCurves> extended;
     if (options.opens() && border_ends(parameters.choice("border")) == BorderEnds::kSnap) {
-      led = LedCurves::kAll;
+      extended = ExtendedCurves::kAll;
     }
-    finish_ends(curve_ends(parameters.choice("ends")), led);
+    finish_ends(curve_ends(parameters.choice("ends")), extended);
     CutPlan plan = cancellable([&] {
       return plan_cut(mesh(), drawing().curves, {parameters.number("merge")}, progress());
     });
@@ -126,7 +126,7 @@ class Cut : public MakesMeshes<Workspace> {
     plan_.reset();
   }
 
-  std::optional<CutPlan> plan_;  // of the last run
+  std::optional<CutPlan> plan_;  // the plan of the last run
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr const char* kPotentials[] = {"corridor", "paper"};
 constexpr const char* kPotentialLabels[] = {"Corridor: exact distance, flat within the slack",
                                             "The paper's: heat method, equations 4 to 6"};
 
-/// The largest finite distance of each component.
+/// The largest finite distance in each component.
 std::vector<double> largest_of(const Components& components, const std::vector<double>& distance) {
   std::vector<double> largest(components.count, 0.0);
   for (std::size_t v = 0; v < distance.size(); ++v) {
@@ -87,8 +87,8 @@ class Distance : public SmootherWorkspace {
       outputs.report(static_cast<std::int64_t>(c), "slack",
                      parameters.optional("slack").value_or(slack_[c]));
     }
-    give(outputs, "distance", "mesh units", host_mesh().given_per_vertex(distance_));
-    give(outputs, "potential", "mesh units", host_mesh().given_per_vertex(potential));
+    give(outputs, "distance", "mesh units", host_mesh().per_vertex_to_host(distance_));
+    give(outputs, "potential", "mesh units", host_mesh().per_vertex_to_host(potential));
   }
 
  private:
@@ -96,7 +96,7 @@ class Distance : public SmootherWorkspace {
     return parameters.choice("potential") == "corridor";
   }
 
-  /// Computes the distance with the smoother itself, so that it is the one that smoothing uses.
+  /// Computes the distance with the smoother itself, so that smoothing has the same distance.
   void solve(const plugin::Parameters& parameters) {
     const std::uint64_t changes = parameters.changes_of(TALWEG_STAGE_CURVES);
     if (has_smoother() && drawings() == drawings_ && changes == changes_ && !distance_.empty())
@@ -156,7 +156,7 @@ class Distance : public SmootherWorkspace {
   }
 
   std::vector<double> distance_, slack_;
-  std::vector<NearestOnCurve> nearest_;  // of the corridor
+  std::vector<NearestOnCurve> nearest_;  // per vertex; only for the corridor
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;
 };

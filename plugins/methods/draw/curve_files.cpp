@@ -57,7 +57,7 @@ PlacedCurve placed(const talweg_curve* curve) {
 
 CoordinateFrame frame_of(const char* text) { return frame_named(text == nullptr ? "" : text); }
 
-/// The triangles of the mesh that curves are on; of its positions only their number counts.
+/// The triangles of a mesh, and its number of vertices. Positions are not needed.
 class Triangles {
  public:
   explicit Triangles(const talweg_mesh& mesh)
@@ -73,7 +73,7 @@ class Triangles {
       const std::vector<CornerCoordinates>& points) const {
     return in_faces(triangles_, vertices_, points);
   }
-  /// Tells a curve the corners of its faces.
+  /// Adds the corners of its faces to a curve.
   void put_corners(PlacedCurve& curve) const {
     curve.vertex_count = vertices_;
     for (const FaceCoordinates& at : curve.faces) {
@@ -108,7 +108,7 @@ talweg_status write_on(const char* path, const char* mesh_unit, const talweg_mes
   });
 }
 
-/// A curve of a file, as views of lists that this object owns.
+/// The views of a curve for the interface; the object owns the viewed lists.
 class Input {
  public:
   explicit Input(const CurveInput& curve) {
@@ -162,7 +162,7 @@ class Input {
   std::vector<double> numbers_, marks_;
 };
 
-/// Points between vertices become points in faces.
+/// Converts points between vertices to points in faces.
 void place_in_faces(std::vector<CurveInput>& curves, const talweg_mesh& mesh) {
   std::optional<Triangles> triangles;
   for (CurveInput& curve : curves) {

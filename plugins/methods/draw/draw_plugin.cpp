@@ -114,7 +114,7 @@ class Draw : public Workspace {
         moves.push_back(snap_to_ridges(c, ridges, curve, marks));
         told.push_back(moves.back().sentence(c));
       }
-      placed.push_back(host_mesh().given(place(mesh(), curve, c)));
+      placed.push_back(host_mesh().to_host(place(mesh(), curve, c)));
       placed.back().exact = std::move(marks);
       if (outputs.wants_point_fields()) fields[c] = {given_field(snapped_[c], curve)};
       lengths.push_back(curve_length(mesh().surface(), curve));
@@ -140,7 +140,7 @@ class Draw : public Workspace {
   static constexpr const char* kPoints[] = {"exact", "rough"};
   static constexpr const char* kPointLabels[] = {"Exact: way-points", "Rough: a stroke"};
 
-  /// The marks of the points, or none if nothing is said of them: they are way-points then.
+  /// The marks of a curve's points; empty without marks, when all points are way-points.
   static std::vector<double> marks_on(const SnappedCurve& curve) {
     const bool is_stroke = !curve.why_stroke.empty();
     if (curve.way_points.empty() && curve.painted.empty() && !is_stroke) return {};
@@ -150,13 +150,13 @@ class Draw : public Workspace {
     return marks;
   }
 
-  /// Moves a drawn curve and its marks. Pins stay.
+  /// Moves a drawn curve and its marks onto ridges. Pins stay.
   RidgeMoves snap_to_ridges(std::size_t c, const RidgeOptions& options, SurfaceCurve& curve,
                             std::vector<double>& marks) {
     std::vector<SurfacePoint> pins;
     for (const std::size_t pin : snapped_[c].pins) pins.push_back(snapped_[c].points[pin]);
     RidgedDrawing ridged = cancellable([&] {
-      return snapped_to_ridges(mesh(), std::span(&curve, 1), pins, points_marked(curve, marks),
+      return snapped_to_ridges(mesh(), std::span(&curve, 1), pins, marked_points(curve, marks),
                                options, progress());
     });
     curve = std::move(ridged.curves.front());
@@ -164,7 +164,8 @@ class Draw : public Workspace {
     return ridged.moves.front();
   }
 
-  /// Vertices are used as they are, in any order and any number of times; other points are snapped.
+  /// The points of a curve on the mesh. Vertices may come in any order and any number of times;
+  /// other points are snapped.
   SnappedCurve points_of(const CurveInput& input) {
     const auto* ids = std::get_if<std::vector<VertexId>>(&input.points);
     if (ids == nullptr) return std::move(snapped_on(host_mesh(), {input}).front());
@@ -184,7 +185,7 @@ class Draw : public Workspace {
     return result;
   }
 
-  /// A drawing along edges, and the way-points it was drawn through.
+  /// A path along edges, and the way-points through which it was drawn.
   struct DrawnPath {
     bool closed = false;
     std::vector<VertexId> through, vertices;
@@ -204,7 +205,7 @@ class Draw : public Workspace {
     return through;
   }
 
-  /// `last` is the path of which as much as possible is kept, or null.
+  /// Draws a path along edges, which keeps as much as possible of the path `last`, if not null.
   SurfaceCurve along_edges(const SnappedCurve& points, const DrawnPath* last, DrawnPath& path) {
     path.closed = points.closed;
     path.through = way_points(points);
@@ -221,7 +222,8 @@ class Draw : public Workspace {
     return curve;
   }
 
-  /// Marks the given points, which appear in the drawn curve unchanged and in order.
+  /// The field "given": 1 at given points, which the drawn curve has unchanged and in order, else
+  /// 0.
   static PointField given_field(const SnappedCurve& given, const SurfaceCurve& drawn) {
     PointField field{"given", "", {}};
     std::size_t next = 0;
@@ -233,7 +235,7 @@ class Draw : public Workspace {
     return field;
   }
 
-  /// The only way-point that differs between the two; none if they differ otherwise.
+  /// The index of the only way-point in which two paths differ; none if they differ otherwise.
   static std::optional<std::size_t> only_change(const DrawnPath& a, const DrawnPath& b) {
     if (a.closed != b.closed || a.through.size() != b.through.size()) return std::nullopt;
     const auto first = std::mismatch(a.through.begin(), a.through.end(), b.through.begin());
@@ -250,9 +252,9 @@ class Draw : public Workspace {
   }
 
   std::vector<SnappedCurve> snapped_;
-  std::vector<std::vector<double>> marks_;  // of their points, see marks_on()
+  std::vector<std::vector<double>> marks_;  // per curve and point
   std::optional<EdgeDijkstra> dijkstra_;    // made when first needed
-  std::vector<DrawnPath> paths_;            // of the last run along edges that was not a preview
+  std::vector<DrawnPath> paths_;            // paths of the last run without preview
 };
 
 }  // namespace

@@ -76,7 +76,7 @@ class Envelope : public MethodWorkspace {
     return method;
   }
 
-  /// The mean segment of all curves together, mesh units.
+  /// The mean length of the segments of all curves, mesh units.
   [[nodiscard]] double mean_segment() const {
     double length = 0;
     std::size_t segments = 0;

@@ -21,8 +21,8 @@ constexpr std::uint32_t kNone = StrandNode::kNone;
 constexpr double kStraight = 1e-6;  // radians: a smaller turn is not split
 constexpr double kFloor = 3;        // mesh edges: a shorter loop has collapsed
 constexpr int kHalvings = 30;
-constexpr double kMargin = 1e-6;  // of an edge
-constexpr double kNear = 0.1;     // of an edge: nodes this near to a vertex may pass over it
+constexpr double kMargin = 1e-6;  // as part of an edge
+constexpr double kNear = 0.1;     // as part of an edge: nodes so near to a vertex may pass it
 
 class EnvelopeSmoothing {
  public:
@@ -81,7 +81,7 @@ double EnvelopeSmoothing::best_place(std::uint32_t node) const {
   const Point before = strands_[n.before].position - n.position;
   const Point after = strands_[n.after].position - n.position;
   const double first = before.norm(), second = after.norm(), squared = along.squaredNorm();
-  // A neighbour that coincides does not pull, and its weight would be infinite.
+  // A neighbour at the same place does not pull, and its weight would be infinite.
   if (!(squared > 0) || !(first > 0) || !(second > 0)) return here.t;
   const double pull = second * before.dot(along) + first * after.dot(along);
   return here.t + pull / ((first + second) * squared);
@@ -128,7 +128,7 @@ void EnvelopeSmoothing::slide_all() {
   }
 }
 
-/// Removes the node if the curve does not need it.
+/// Removes a node at the place of a neighbour, or between two neighbours in one face.
 bool EnvelopeSmoothing::merge(std::uint32_t node) {
   const StrandNode& n = strands_[node];
   if (!is_free(node) || strands_.count(n.curve) <= 3) return false;
@@ -149,7 +149,7 @@ bool EnvelopeSmoothing::merge(std::uint32_t node) {
   return true;
 }
 
-/// The edge from v on which the node slides; invalid if it is on another one.
+/// The halfedge from v on which the node slides; invalid if the node is on no edge of v.
 HalfedgeId EnvelopeSmoothing::spoke_of(std::uint32_t node, VertexId v) const {
   if (node == kNone || !is_free(node)) return {};
   const auto* e = std::get_if<OnEdge>(&strands_[node].at.where());
@@ -166,8 +166,8 @@ bool EnvelopeSmoothing::pass_over(std::uint32_t node) {
   return pass_over(node, e->t <= kNear ? h : twin(h));
 }
 
-/// Where the curve turns away from a vertex, nodes that run around the vertex would approach it
-/// forever without any reaching it first. So all of them pass over it at once.
+/// Where a curve turns away from a vertex, the nodes on the vertex's edges would approach the
+/// vertex forever. All these nodes therefore pass over the vertex at once.
 bool EnvelopeSmoothing::pass_over(std::uint32_t node, HalfedgeId spoke) {
   const Surface& surface = mesh_.surface();
   const VertexId v = surface.tail(spoke);

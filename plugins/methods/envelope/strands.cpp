@@ -6,7 +6,7 @@ namespace talweg::plugins {
 namespace {
 
 constexpr std::uint32_t kNoNode = StrandNode::kNone;
-constexpr double kFromEnds = 1e-6;  // of the edge: between a node and another node or a vertex
+constexpr double kFromEnds = 1e-6;  // as part of the edge: from a node to a node or a vertex
 
 }  // namespace
 

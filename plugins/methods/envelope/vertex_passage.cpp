@@ -11,15 +11,16 @@
 namespace talweg::plugins {
 namespace {
 
-/// The edges about a vertex, counterclockwise; at the boundary from edge to edge.
+/// The halfedges from a vertex, counterclockwise; at the boundary from boundary edge to boundary
+/// edge.
 struct Fan {
   std::vector<HalfedgeId> spokes;
-  std::vector<double> angles;  // of the spokes
+  std::vector<double> angles;  // per spoke, from the first spoke
   double cone = 0;             // total angle about the vertex
   bool open = false;
 };
 
-/// Slot 2 i: along spoke i. Slot 2 i + 1: in the face after it.
+/// A direction from a vertex. Slot 2 i is spoke i; slot 2 i + 1 is the face after spoke i.
 struct Direction {
   std::size_t slot = 0;
   double angle = 0;

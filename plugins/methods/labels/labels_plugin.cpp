@@ -114,7 +114,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
 
  private:
   struct Given {
-    std::vector<std::int64_t> on_mesh;  // of the opened mesh
+    std::vector<std::int64_t> on_mesh;  // per vertex or face of the opened mesh
     std::vector<double> came_in;
     bool by_triangle = true;
   };
@@ -151,14 +151,15 @@ class Labels : public MakesMeshes<MeshWorkspace> {
                             fmt::format("{} must be whole numbers, not {} at {}.", name, label, k));
     }
     const std::vector<double> on_mesh = given.by_triangle
-                                            ? host_mesh().taken_per_face(given.came_in, name)
-                                            : host_mesh().taken_per_vertex(given.came_in, name);
+                                            ? host_mesh().per_face_from_host(given.came_in, name)
+                                            : host_mesh().per_vertex_from_host(given.came_in, name);
     for (const double label : on_mesh) given.on_mesh.push_back(static_cast<std::int64_t>(label));
     return given;
   }
 
-  /// Per triangle that came in. One that the repair dropped has its old label; if labels are per
-  /// vertex, that of its first corner. Labels that would be lost are told.
+  /// The new labels, one per triangle of the host's mesh. A triangle that the repair dropped has
+  /// its old label, or, if labels are per vertex, the old label of its first corner. Adds a warning
+  /// on labels that would be lost.
   [[nodiscard]] std::vector<double> new_labels(const LabelNetwork& network, const Given& given,
                                                std::vector<std::string>& warnings) const {
     const RepairMap* map = host_mesh().map();

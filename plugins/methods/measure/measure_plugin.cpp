@@ -1,4 +1,5 @@
-// talweg.measure: what curves on a mesh measure, and how far apart two sets of them lie.
+// talweg.measure: lengths and curvatures of curves on a mesh, and the distance between two sets of
+// curves.
 #include <span>
 #include <string>
 #include <vector>

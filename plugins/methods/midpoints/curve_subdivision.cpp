@@ -13,7 +13,7 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr double kMostPoints = 20000;  // limit for a result
+constexpr double kMostPoints = 20000;  // the most points of a result
 
 SurfacePoint midpoint(const Surface& surface, StraightLines& lines, const SurfacePoint& p,
                       const SurfacePoint& q) {
@@ -24,7 +24,7 @@ SurfacePoint midpoint(const Surface& surface, StraightLines& lines, const Surfac
   return arc.at(arc.length() / 2);
 }
 
-/// The midpoint between each point and the next.
+/// The geodesic midpoints between successive points.
 std::vector<SurfacePoint> midpoints(const Surface& surface, StraightLines& lines,
                                     const ControlPolygon& polygon) {
   const std::size_t n = polygon.points.size();

@@ -46,7 +46,8 @@ bool is_real(NumberType type) {
   return type == NumberType::kFloat32 || type == NumberType::kFloat64;
 }
 
-/// What files call the columns of an attribute, the first of these that a file has.
+/// Names of attributes and of their columns in files. The first entry whose columns a file has
+/// counts.
 const std::vector<std::pair<std::string_view, Names>>& known_groups() {
   static const std::vector<std::pair<std::string_view, Names>> kGroups{
       {kNormal, {kNormals.begin(), kNormals.end()}},
@@ -91,7 +92,8 @@ class Grouping {
     take({name, found});
   }
 
-  /// NAME_0 with NAME_1, NAME_2, ... that follow it, or one column.
+  /// Groups a column NAME_0 with the columns NAME_1, NAME_2, ... after it; other columns stay
+  /// alone.
   void take_from(std::size_t c) {
     const std::string& first = columns_[c].name;
     Group group{first, {c}};
@@ -164,7 +166,7 @@ void add_corners(const CornerAttribute& corners, std::string_view name, std::uin
   to.corners = corners.corners;
 }
 
-/// Names for columns: without blanks, none twice, and not those of positions.
+/// Makes names of columns without blanks, all different, and none of them x, y or z.
 class ColumnNames {
  public:
   std::string operator()(const std::string& wanted) {
@@ -219,7 +221,8 @@ struct HashOfRow {
   }
 };
 
-/// Corners with the same numbers share an entry; one whose numbers are not finite has none.
+/// Corners with the same numbers share an entry. A corner with a number that is not finite has
+/// none.
 CornerAttribute shared_corners(const HostAttribute& attribute) {
   const std::uint32_t columns = attribute.columns;
   if (attribute.shared) return {columns, attribute.values, attribute.corners};

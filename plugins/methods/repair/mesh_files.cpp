@@ -33,7 +33,7 @@ void tell_all(const std::vector<std::string>& texts, talweg_text_function tell, 
   for (const std::string& text : texts) tell(context, text.c_str());
 }
 
-/// A file's mesh, as the interface has it; all that it was made of must outlive it.
+/// The views of a file's mesh for the interface. The viewed lists must outlive them.
 class FileView {
  public:
   FileView(const MeshLists& lists, const MeshAttributes& attributes)
@@ -116,7 +116,7 @@ std::span<const T> list_of(const T* first, std::uint32_t count, const char* what
   return {first, count};
 }
 
-/// A mesh that a host wants to write.
+/// A host's mesh before it is written.
 class Content {
  public:
   Content(const std::string& path, const talweg_mesh_file& file) {
@@ -152,7 +152,7 @@ class Content {
     return line;
   }
 
-  /// Only OBJ holds names; elsewhere the attribute stays a column.
+  /// Reads a list of names. Only OBJ holds names; in other formats the attribute stays a column.
   void take_names(const talweg_name_list& list, bool held) {
     FaceNames names;
     names.keyword = line_of(list.attribute, "The attribute of a list of names");

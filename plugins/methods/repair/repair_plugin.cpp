@@ -1,4 +1,5 @@
-// talweg.repair: a surface is made of raw lists, and what is wrong with them is told.
+// talweg.repair: finds the defects of raw lists of vertices and triangles, and repairs them to a
+// surface.
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,7 +99,7 @@ class Repair {
   }
 
  private:
-  /// What depends on the lists alone.
+  /// Results that depend only on the lists.
   struct Inspected {
     std::shared_ptr<const MeshInspection> inspection;
     std::optional<WeldedMesh> welded;
@@ -134,7 +135,7 @@ class Repair {
     inspected_ = std::move(result);
   }
 
-  /// Null without repair, and where the mesh cannot be repaired: the verdict says why.
+  /// Null if no repair was asked for, or if the mesh cannot be repaired; the verdict then says why.
   [[nodiscard]] std::shared_ptr<const RepairedMesh> repaired_by(
       const plugin::Parameters& parameters) const {
     const std::optional<RepairSteps> steps = repair_of(parameters);

@@ -190,7 +190,7 @@ PotentialOptions potential_options_of(const Parameters& p) {
   return options;
 }
 
-/// The values of a parameter for each curve; empty if there are none. Throws plugin::Failure.
+/// The values of a parameter, one per curve; empty if it is not set. Throws plugin::Failure.
 std::vector<double> per_curve(const Parameters& p, const char* id, double most,
                               std::size_t curves) {
   const std::vector<double>& values = p.field(id);
@@ -208,14 +208,14 @@ std::vector<double> per_curve(const Parameters& p, const char* id, double most,
   return values;
 }
 
-/// Values per vertex that came in, at those of the repaired mesh; another number of them stays, to
-/// be refused where it is used.
+/// Converts values per vertex of the host's mesh to values per vertex of the repaired mesh. A wrong
+/// number of values is left unchanged, and is refused where the values are used.
 std::vector<double> on_mesh(const std::vector<double>& values, const RepairMap* map) {
   const bool fits = map != nullptr && values.size() == map->file_vertex_count();
   return fits ? map->of_vertices(values) : values;
 }
 
-/// Per curve what is not as for all; empty where all is.
+/// The options of single curves, one per curve; empty if no curve has options of its own.
 std::vector<OwnOptions> own_options_of(const Parameters& p, std::size_t curves) {
   const std::vector<double> taus = per_curve(p, "taus", HUGE_VAL, curves);
   const std::vector<double> slacks = per_curve(p, "slacks", HUGE_VAL, curves);
@@ -312,7 +312,7 @@ PointMeaning point_meaning(std::string_view choice) {
   return choice == "rough" ? PointMeaning::kRough : PointMeaning::kGiven;
 }
 
-PointsTaken points_taken(const Parameters& p, std::vector<SurfacePoint> exact) {
+PointOptions point_options(const Parameters& p, std::vector<SurfacePoint> exact) {
   return {point_meaning(p.choice("points")), std::move(exact), p.number("tolerance")};
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "talweg/core/drawing/taken_points.hpp"
+#include "talweg/core/drawing/marked_points.hpp"
 #include "talweg/core/repair/repair_map.hpp"
 #include "talweg/core/smoothing/curve_smoother.hpp"
 #include "talweg/plugin/talweg_parameters.hpp"
@@ -38,8 +38,8 @@ SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, cons
 
 /// What a choice of the parameter `points` means.
 PointMeaning point_meaning(std::string_view choice);
-/// How the drawing's points are taken; `exact` are the points of the parameter with that name.
-PointsTaken points_taken(const plugin::Parameters& parameters, std::vector<SurfacePoint> exact);
+/// The reading of the drawing's points; `exact` are the points of the parameter "exact".
+PointOptions point_options(const plugin::Parameters& parameters, std::vector<SurfacePoint> exact);
 
 /// A sentence on the parameters that do not apply because the drawing is `free`: it has
 /// only_way_points(). No sentence if they apply or are not set.

@@ -59,13 +59,14 @@ class Smooth : public SmootherWorkspace {
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {
     CurveOptions curve_options = curve_options_of(parameters);
-    std::optional<LedCurves> led;
-    if (border_ends(parameters.choice("border")) == BorderEnds::kSnap) led = LedCurves::kStrokes;
-    finish_ends(curve_ends(parameters.choice("ends")), led);
-    const PointsTaken taken =
-        points_taken(parameters, host_mesh().taken_vertices(parameters.vertices("exact")));
-    curve_options.corners = host_mesh().taken_vertices(parameters.vertices("corner"));
-    points_ = take_points(drawing(), taken);
+    std::optional<ExtendedCurves> extended;
+    if (border_ends(parameters.choice("border")) == BorderEnds::kSnap)
+      extended = ExtendedCurves::kStrokes;
+    finish_ends(curve_ends(parameters.choice("ends")), extended);
+    const PointOptions reading =
+        point_options(parameters, host_mesh().vertices_from_host(parameters.vertices("exact")));
+    curve_options.corners = host_mesh().vertices_from_host(parameters.vertices("corner"));
+    points_ = marked_points(drawing(), reading);
     snap_to_ridges(parameters, curve_options.corners);
     free_ = only_way_points(curves(), points_);
     curve_options.way_points = points_.way_points;
@@ -77,7 +78,7 @@ class Smooth : public SmootherWorkspace {
     SmoothingResult result =
         dragged ? drag(*dragged, parameters, options) : smooth(parameters, options);
     check(result);
-    std::vector<std::string> warnings = stroke_warnings(drawing(), taken);
+    std::vector<std::string> warnings = stroke_warnings(drawing(), reading);
     for (std::string& idle : idle_parameters(parameters, free_))
       warnings.push_back(std::move(idle));
     add_warnings(result, warnings);
@@ -85,7 +86,7 @@ class Smooth : public SmootherWorkspace {
   }
 
  private:
-  /// The drawing as it is smoothed.
+  /// The curves to smooth: the drawing, or the drawing snapped to ridges.
   [[nodiscard]] const std::vector<SurfaceCurve>& curves() const {
     return ridged_.moves.empty() ? drawing().curves : ridged_.curves;
   }
@@ -94,7 +95,8 @@ class Smooth : public SmootherWorkspace {
         .subspan(std::min(curve, ridged_.moves.size()), ridged_.moves.empty() ? 0 : 1);
   }
 
-  /// Moves the drawing and its points onto ridges, unless that has been done already.
+  /// Moves the drawing and its points onto ridges, unless they were moved for the same input
+  /// before.
   void snap_to_ridges(const plugin::Parameters& parameters, std::vector<SurfacePoint> fixed) {
     const RidgeOptions options = ridge_options_of(parameters);
     if (options.strength == 0) {
@@ -123,7 +125,8 @@ class Smooth : public SmootherWorkspace {
     return result;
   }
 
-  /// Uses the tau and slack that were found for the largest deviation, if one is set.
+  /// Smooths near the dragged curve only. With a largest deviation, tau and slack are those of the
+  /// last full run.
   SmoothingResult drag(std::size_t curve, const plugin::Parameters& parameters,
                        SmoothingOptions options) {
     if (parameters.optional("max_deviation") && !free_) {
@@ -134,15 +137,15 @@ class Smooth : public SmootherWorkspace {
     return smoother().drag(curve, curves()[curve], options, progress());
   }
 
-  /// The only curve that differs from the last run that was not a preview, or 0 if none differs;
-  /// nothing if anything else has changed.
+  /// The only curve that differs from the smoother's drawing, or 0 if no curve differs; none if
+  /// other input has changed.
   std::optional<std::size_t> dragged_curve(const plugin::Parameters& parameters) {
     if (!parameters.flag("preview") || parameters.choice("potential") != "corridor") return {};
     if (!has_smoother() || !solved_ || changes_of(parameters) != changes_) return {};
     const auto drawn = smoother().drawn();
     const std::vector<SurfaceCurve>& now = curves();
     if (now.size() != drawn.size()) return {};
-    // Those of a dragged curve move with it, so all is solved again.
+    // Way-points of a dragged curve move with it, which needs a full run.
     if (!points_.way_points.empty() || !solved_points_.way_points.empty()) return {};
     std::vector<std::size_t> changed;
     for (std::size_t c = 0; c < now.size(); ++c) {
@@ -156,7 +159,7 @@ class Smooth : public SmootherWorkspace {
 
   [[nodiscard]] std::vector<SurfacePoint> pins(const plugin::Parameters& parameters) const {
     std::vector<SurfacePoint> pins = drawing().pins;
-    for (const SurfacePoint& pin : host_mesh().taken_vertices(parameters.vertices("pin")))
+    for (const SurfacePoint& pin : host_mesh().vertices_from_host(parameters.vertices("pin")))
       pins.push_back(pin);
     return pins;
   }
@@ -224,7 +227,7 @@ class Smooth : public SmootherWorkspace {
       return entries;
     });
     if (outputs.wants_fields()) {
-      give(outputs, "distance", "mesh units", host_mesh().given_per_vertex(distance));
+      give(outputs, "distance", "mesh units", host_mesh().per_vertex_to_host(distance));
     }
   }
 
@@ -236,20 +239,20 @@ class Smooth : public SmootherWorkspace {
     return quick_distance_field(mesh().surface(), curves(), services());
   }
 
-  /// What the ridged drawing was made from.
+  /// The input of the ridged drawing.
   struct RidgedFrom {
     std::uint64_t drawings = 0, changes = 0;
     std::vector<SurfacePoint> fixed;
-    TakenPoints points;
+    MarkedPoints points;
     bool operator==(const RidgedFrom&) const = default;
   };
 
-  RidgedDrawing ridged_;  // without moves: the drawing stays as it is
+  RidgedDrawing ridged_;  // without moves if ridges do not attract the drawing
   RidgedFrom ridged_from_;
   bool solved_ = false;
-  bool free_ = false;                       // the drawing has only way-points
-  TakenPoints points_, solved_points_;      // of this run; of the curves as they were set
-  double found_tau_ = 0, found_slack_ = 0;  // by the last run that was not a preview
+  bool free_ = false;                       // whether the drawing has only way-points
+  MarkedPoints points_, solved_points_;     // points of this run, and of the set curves
+  double found_tau_ = 0, found_slack_ = 0;  // values of the last full run
   std::uint64_t drawings_ = 0;
   std::uint64_t changes_ = 0;
   std::vector<SurfacePoint> pins_;

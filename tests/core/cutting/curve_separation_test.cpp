@@ -190,7 +190,7 @@ struct CutStroke {
     const SnappedCurve snapped = snap(mesh, {false, std::move(points), {}});
     SnappedDrawing drawing;
     drawing.add(mesh, std::span(&snapped, 1), lines);
-    drawing = with_ends_at_border(mesh, std::move(drawing), lines, LedCurves::kStrokes);
+    drawing = with_ends_at_border(mesh, std::move(drawing), lines, ExtendedCurves::kStrokes);
     told = drawing.told;
     drawn = drawing.curves[0];
     smooth = smooth_curve(opened, drawn).curve();

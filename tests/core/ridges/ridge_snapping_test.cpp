@@ -77,7 +77,7 @@ Ridged ridged(const SurfaceMesh& mesh, const std::vector<Point>& points, bool cl
   const SnappedCurve snapped = snap(mesh, CurveInput{closed, points, {}});
   Ridged result;
   result.drawn = StraightLines(mesh.surface()).join(snapped.points, closed);
-  TakenPoints taken;
+  MarkedPoints taken;
   std::vector<SurfacePoint> fixed;
   for (const SurfacePoint& point : snapped.points) {
     if (clicks) taken.way_points.push_back({point, 0});

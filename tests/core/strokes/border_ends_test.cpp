@@ -190,7 +190,7 @@ TEST_F(BorderEnds, OtherCurvesStayIfOnlyStrokesAreExtended) {
   const SnappedCurve stroke = snapped(line({1.5, 10, 0}, {15, 10, 0}, 0.5));
   SnappedCurve given{false, snapped(line({1.5, 14, 0}, {15, 14, 0}, 0.5)).points};
   const SnappedDrawing drawing =
-      with_ends_at_border(mesh, drawing_of({stroke, given}), lines, LedCurves::kStrokes);
+      with_ends_at_border(mesh, drawing_of({stroke, given}), lines, ExtendedCurves::kStrokes);
   expect_at(drawing.curves[0].points.front(), {0, 10, 0});
   EXPECT_EQ(drawing.curves[1].points.front(), given.points.front());
 }

@@ -369,7 +369,7 @@ def finished(steps):
     """The result of steps, with their work on its thread."""
     job = jobs.Job(next(steps))
     job.is_done(wait=60)
-    return jobs.after(steps, job.given)
+    return jobs.after(steps, job.result)
 
 
 def support_arrays(obj):

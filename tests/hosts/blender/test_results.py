@@ -36,10 +36,10 @@ class Results(unittest.TestCase):
 
     def smooth(self, operator=bpy.ops.talweg.smooth_annotations, **how):
         """Smooths, and returns the printed reports."""
-        told = io.StringIO()
-        with contextlib.redirect_stdout(told):
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
             self.assertEqual(operator(**how), {"FINISHED"})
-        self.told = told.getvalue()
+        self.printed = printed.getvalue()
         return session.last_result()
 
 
@@ -110,9 +110,9 @@ class Seen(Results):
         self.smooth(tau=0)
         report = json.loads(curve_objects()[0]["talweg_report"])
         report.update(curvature_after=4.8e-15, bending_after=7e-30)
-        told = sentences.of_report(bpy.context, report)
-        self.assertIn(f"Curvature {report['curvature_before']:.3g} to 0 rad", told)
-        self.assertIn(" to 0, ", told)
+        printed = sentences.of_report(bpy.context, report)
+        self.assertIn(f"Curvature {report['curvature_before']:.3g} to 0 rad", printed)
+        self.assertIn(" to 0, ", printed)
 
 
 class Places(Results):
@@ -127,7 +127,7 @@ class Places(Results):
         matrix = np.array(self.obj.matrix_world)
         scene.annotate([line(10) @ matrix[:3, :3].T])
         self.smooth()
-        self.assertIn("scaled unevenly", self.told)
+        self.assertIn("scaled unevenly", self.printed)
         shown, = curve_objects()
         self.assertEqual(shown.matrix_world, self.obj.matrix_world)
         self.obj.location.x += 7
@@ -139,7 +139,7 @@ class Places(Results):
         bpy.context.view_layer.update()
         scene.annotate([line(10) * [-2, 2, 2]])
         self.smooth()
-        self.assertNotIn("unevenly", self.told)
+        self.assertNotIn("unevenly", self.printed)
 
     def test_the_same_drawing_has_one_object(self):
         scene.annotate([line(10), line(30)])
@@ -184,10 +184,10 @@ class Places(Results):
         self.obj.modifiers.new("Fine", "SUBSURF")
         scene.select_edges(self.obj, support.staircase())
         self.smooth(bpy.ops.talweg.smooth_edges)
-        self.assertIn("without its modifiers", self.told)
+        self.assertIn("without its modifiers", self.printed)
         self.obj.modifiers[0].show_viewport = False
         self.smooth(bpy.ops.talweg.smooth_edges)
-        self.assertNotIn("modifiers", self.told)
+        self.assertNotIn("modifiers", self.printed)
 
 
 class Astray(Results):
@@ -203,20 +203,20 @@ class Astray(Results):
         rounded = mesh[:60].astype(np.float32)
         scene.annotate([rounded + np.float32(1e-6)])
         self.smooth()
-        self.assertNotIn("moved onto", self.told)
-        self.assertNotIn("Warning", self.told)
-        self.assertIn("Curvature", self.told)
+        self.assertNotIn("moved onto", self.printed)
+        self.assertNotIn("Warning", self.printed)
+        self.assertIn("Curvature", self.printed)
 
     def test_far_is_a_warning_behind_the_numbers(self):
         """The box of the hills has a diagonal of 83.7: far is 2.8, a thirtieth; too far is 10.5."""
         scene.annotate([line(10, 3.5)])
         self.smooth()
-        warning, = [one for one in self.told.splitlines() if one.startswith("Warning")]
+        warning, = [one for one in self.printed.splitlines() if one.startswith("Warning")]
         self.assertLess(warning.index("Curvature"), warning.index("Stroke 0 was drawn up to"))
         self.assertIn("Placement to Surface", warning)
         scene.annotate([line(10, 0.5)])
         self.smooth()
-        self.assertNotIn("Stroke 0", self.told)
+        self.assertNotIn("Stroke 0", self.printed)
 
     def test_what_is_measured_is_measured_once(self):
         asked = []
@@ -248,7 +248,7 @@ class Astray(Results):
         np.testing.assert_allclose(result.curves[1].positions[0], line(30)[0], atol=0.1)
         for words in ("Left out: Stroke 1 lies", "Stroke 2 has a coordinate", "Stroke 3 has 1 point",
                       "1 more"):
-            self.assertIn(words, self.told)
+            self.assertIn(words, self.printed)
 
     def test_chosen_strokes(self):
         scene.annotate([line(y) for y in (10, 20, 30, 40)])
@@ -272,7 +272,7 @@ class Astray(Results):
         bpy.data.objects.remove(bpy.data.objects["Bad"])
         scene_curve("Above", line(10, 3.5))
         self.smooth(bpy.ops.talweg.cut)
-        self.assertIn("cut. Above lies up to", self.told)
+        self.assertIn("cut. Above lies up to", self.printed)
 
 
 def u_turn():

@@ -1,5 +1,5 @@
-// Hosts against plugins that give nonsense: an error that names the plugin and what it gave,
-// nothing of it kept.
+// Invalid results of a plugin are errors in hosts: the error names the plugin and the result, and
+// the host keeps no result of the run.
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -16,7 +16,7 @@
 namespace talweg::test {
 namespace {
 
-/// What is wrong, and words of the sentence that must tell it.
+/// The faults of the plugin, and the words that the error must have.
 const std::map<std::string, std::string> kFaults = {
     {"nan_position", "positions has a number in row 1 that is not finite"},
     {"infinite_position", "positions has a number in row 2 that is not finite"},
@@ -59,7 +59,7 @@ class HostilePlugin : public DriverRuns {
   MeshLists lists_;
 };
 
-TEST_F(HostilePlugin, WhatItGivesWellIsTaken) {
+TEST_F(HostilePlugin, ValidResultsAreAccepted) {
   const host::Results results = run_hostile("none");
   ASSERT_EQ(results.curves.size(), 1U);
   EXPECT_EQ(results.curves[0].faces.size(), 3U);
@@ -68,7 +68,7 @@ TEST_F(HostilePlugin, WhatItGivesWellIsTaken) {
   EXPECT_EQ(results.number("value"), 1);
 }
 
-TEST_F(HostilePlugin, NonsenseIsAnErrorThatNamesIt) {
+TEST_F(HostilePlugin, InvalidResultsAreErrorsThatNameTheResult) {
   for (const auto& [fault, words] : kFaults) {
     try {
       (void)run_hostile(fault);
@@ -83,7 +83,7 @@ TEST_F(HostilePlugin, NonsenseIsAnErrorThatNamesIt) {
   }
 }
 
-TEST_F(HostilePlugin, TheDriverTellsItAndWritesNothing) {
+TEST_F(HostilePlugin, TheDriverReportsTheErrorAndWritesNothing) {
   write_mesh(file("mesh.ply"), lists_);
   ASSERT_EQ(run("draw mesh.ply --through 64,400,590 -o drawn.obj").code, 0);
   for (const char* fault : {"nan_position", "face_out_of_range", "curve_number", "null_text"}) {

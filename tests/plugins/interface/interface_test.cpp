@@ -1,4 +1,4 @@
-// The interface against hosts that do everything wrong: a status each time, no crash, no leak.
+// Wrong calls of a host: each one gets a status and a sentence, without a crash or a leak.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,8 +18,8 @@
 namespace talweg {
 namespace {
 
-/// The ids of all plugins of this build; TryEveryPluginThatIsFound compares them with the loader's.
-/// Loading the module takes a second under a sanitizer, for each test of this program.
+/// The ids of all plugins of this build; CoverEveryPluginOfTheLoader compares them with the
+/// loader's. Loading the module takes a second under a sanitizer, for each test of this program.
 std::vector<std::string> all_plugins() {
   return {"talweg.bipartition", "talweg.cut",      "talweg.distance", "talweg.draw",
           "talweg.envelope",    "talweg.geodesic", "talweg.labels",   "talweg.measure",
@@ -31,12 +31,12 @@ class Interface : public testing::TestWithParam<std::string> {
   Interface() : plugin_(test::plugin_of_this_build(GetParam().c_str())) {
     plugin_.create(nullptr, &instance_);
     if (GetParam() != "talweg.bipartition") return;
-    vertices_.clear();  // takes only what parts the mesh: from boundary to boundary
+    vertices_.clear();  // the method needs curves from boundary to boundary, which part the mesh
     for (std::uint32_t y = 0; y <= 40; ++y) vertices_.push_back(20 + 41 * y);
   }
   ~Interface() override { plugin_.destroy(instance_); }
 
-  /// Refused with this status and a sentence.
+  /// Expects that a call was refused with this status and a sentence.
   void expect(talweg_status expected, talweg_status status, const char* what) const {
     EXPECT_EQ(status, expected) << what << ": " << plugin_.last_error(instance_);
     EXPECT_STRNE(plugin_.last_error(instance_), "") << what;
@@ -60,20 +60,20 @@ class Interface : public testing::TestWithParam<std::string> {
     ASSERT_EQ(plugin_.set_curves(instance_, list, 1), TALWEG_OK) << plugin_.last_error(instance_);
   }
   [[nodiscard]] bool takes_curves() const { return (plugin_.flags & TALWEG_TAKES_CURVES) != 0; }
-  /// Null if the plugin makes no meshes.
+  /// The extension for meshes; null if the plugin makes no meshes.
   [[nodiscard]] const talweg_meshes* meshes() const {
     return static_cast<const talweg_meshes*>(plugin_.get_extension(TALWEG_MESHES));
   }
   [[nodiscard]] bool takes_any_mesh() const {
     return meshes() != nullptr && (meshes()->takes & TALWEG_TAKES_ANY_MESH) != 0;
   }
-  /// That curves are refused by a plugin that takes none.
+  /// Expects that a plugin without curves as input refuses curves.
   void expect_no_curves() {
     const talweg_curve curve = this->curve();
     const talweg_curve* list[] = {&curve};
     expect(TALWEG_UNSUPPORTED, plugin_.set_curves(instance_, list, 1), "curves");
   }
-  /// Runs a plugin that took a mesh that is no surface.
+  /// Runs a plugin that accepted a mesh that is no surface.
   void inspect(const char* what) {
     talweg_sink sink = {};
     sink.size = sizeof sink;
@@ -98,7 +98,7 @@ class Interface : public testing::TestWithParam<std::string> {
   talweg_instance* instance_ = nullptr;
 };
 
-TEST_P(Interface, DescribesItself) {
+TEST_P(Interface, DescriptionsAreComplete) {
   EXPECT_GE(plugin_.parameter_count, 1U);
   EXPECT_GE(plugin_.output_count, 1U);
   for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
@@ -129,7 +129,7 @@ TEST_P(Interface, DefaultsCanBeSet) {
   EXPECT_STREQ(plugin_.last_error(instance_), "");
 }
 
-TEST_P(Interface, NullAtEveryArgument) {
+TEST_P(Interface, NullArgumentsAreRefused) {
   const talweg_plugin& p = plugin_;
   const talweg_mesh good = mesh();
   const talweg_curve curve = this->curve();
@@ -178,7 +178,7 @@ TEST_P(Interface, NullAtEveryArgument) {
   }
 }
 
-TEST_P(Interface, NonsenseInParameters) {
+TEST_P(Interface, BadParametersAreRefused) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < plugin_.parameter_count; ++k) {
     const talweg_parameter& p = *plugin_.parameters[k];
@@ -206,7 +206,7 @@ TEST_P(Interface, NonsenseInParameters) {
   expect(TALWEG_BAD_USAGE, plugin_.reset(instance_, std::string(100000, 'x').c_str()), "long id");
 }
 
-TEST_P(Interface, NonsenseInMeshes) {
+TEST_P(Interface, BadMeshesAreRefused) {
   const talweg_mesh good = mesh();
   const auto refuse = [&](talweg_status expected, const char* what, auto change) {
     talweg_mesh bad = good;
@@ -245,7 +245,7 @@ TEST_P(Interface, NonsenseInMeshes) {
   });
 }
 
-TEST_P(Interface, NonsenseInCurves) {
+TEST_P(Interface, BadCurvesAreRefused) {
   set_up();
   if (!takes_curves()) return expect_no_curves();
   const auto refuse = [&](const char* what, auto change) {
@@ -293,7 +293,7 @@ TEST_P(Interface, NonsenseInCurves) {
   sink.size = 4;
   expect(TALWEG_BAD_USAGE, plugin_.run(instance_, &sink), "size of the sink");
 
-  // Out and back again: refused when it is set or when it is run.
+  // A curve that goes out and back again is refused when it is set or when the plugin runs.
   sink.size = sizeof sink;
   talweg_curve back = curve();
   back.vertices = host::view(twice, 3);
@@ -309,7 +309,7 @@ TEST_P(Interface, NonsenseInCurves) {
   }
 }
 
-/// Counts what it is given, and fails at the n-th.
+/// A sink that counts results, and fails at the n-th result.
 struct FailingSink {
   int fails_at = 1 << 30;
   int given = 0;
@@ -335,11 +335,11 @@ struct FailingSink {
   }
 };
 
-TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
+TEST_P(Interface, OnlyFieldsOfCurvesWithKnownNamesAreRead) {
   const talweg_mesh good = mesh();
   ASSERT_EQ(plugin_.set_mesh(instance_, &good), TALWEG_OK);
   if (!takes_curves()) return expect_no_curves();
-  const float other[] = {1, 2};  // its type and number are nobody's business
+  const float other[] = {1, 2};  // an unknown name: type and number do not matter
   std::vector<double> marks(vertices_.size(), TALWEG_MARK_NONE);
   marks.front() = 0;
   const talweg_field noise = {sizeof noise, "deviation", "", {other, 2, 0, 1, TALWEG_FLOAT32}};
@@ -365,7 +365,7 @@ TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
   exact.values = host::view(marks.data(), marks.size());
   EXPECT_EQ(set(), TALWEG_OK);
   exact.name = nullptr;
-  EXPECT_EQ(set(), TALWEG_OK);  // passed over
+  EXPECT_EQ(set(), TALWEG_OK);  // the unknown field is ignored
   exact.size = 3;
   expect(TALWEG_BAD_USAGE, set(), "a field that is too small");
   fields[1] = nullptr;
@@ -374,7 +374,7 @@ TEST_P(Interface, FieldsOfCurvesAreLookedThroughByName) {
   expect(TALWEG_BAD_USAGE, set(), "no list of fields");
 }
 
-TEST_P(Interface, SinksThatFailEndTheRun) {
+TEST_P(Interface, AFailingSinkEndsTheRun) {
   set_up();
   FailingSink all;
   talweg_sink sink = all.sink();
@@ -423,7 +423,7 @@ TEST_P(Interface, ACallFromACallbackIsRefused) {
   EXPECT_GT(context.refused, 0);
 }
 
-TEST_P(Interface, NonsenseInAttributes) {
+TEST_P(Interface, BadAttributesAreRefused) {
   const talweg_meshes* extension = meshes();
   if (extension == nullptr) {
     EXPECT_TRUE(GetParam() != "talweg.cut" && GetParam() != "talweg.labels" &&
@@ -484,7 +484,7 @@ TEST_P(Interface, NonsenseInAttributes) {
   expect(TALWEG_BAD_USAGE, extension->origin(instance_, 0, nullptr, nullptr), "no function");
 }
 
-TEST_P(Interface, HostsMayOfferNothing) {
+TEST_P(Interface, AHostNeedNotOfferServices) {
   const auto null_extension = [](const talweg_host*, const char*) -> const void* {
     return nullptr;
   };
@@ -509,7 +509,7 @@ TEST_P(Interface, HostsMayOfferNothing) {
     FailingSink all;
     const talweg_sink sink = all.sink();
     EXPECT_EQ(plugin_.run(instance_, &sink), TALWEG_OK);
-    plugin_.destroy(instance_);  // before the host goes
+    plugin_.destroy(instance_);  // before the host is destroyed
     instance_ = nullptr;
   }
   talweg_host small_host = {};
@@ -518,7 +518,7 @@ TEST_P(Interface, HostsMayOfferNothing) {
   EXPECT_EQ(instance_, nullptr);
 }
 
-TEST_P(Interface, InstancesOfOtherPluginsAreNoticed) {
+TEST_P(Interface, InstancesOfOtherPluginsAreRefused) {
   for (const std::string& id : all_plugins()) {
     if (id == plugin_.id) continue;
     const talweg_plugin* other = &test::plugin_of_this_build(id.c_str());
@@ -527,12 +527,12 @@ TEST_P(Interface, InstancesOfOtherPluginsAreNoticed) {
     EXPECT_EQ(plugin_.share_mesh(instance_, foreign), TALWEG_BAD_USAGE);
     EXPECT_EQ(plugin_.reset(foreign, "tau"), TALWEG_BAD_USAGE);
     plugin_.cancel(foreign);
-    plugin_.destroy(foreign);  // not this plugin's
+    plugin_.destroy(foreign);  // an instance of another plugin
     other->destroy(foreign);
   }
 }
 
-TEST(InterfaceTests, TryEveryPluginThatIsFound) {
+TEST(InterfaceTests, CoverEveryPluginOfTheLoader) {
   const test::Loader loader = test::open_loader();
   std::vector<std::string> found;
   for (std::uint64_t k = 0; k < talweg_loader_count(loader.get()); ++k) {

@@ -1,5 +1,5 @@
-// Plugins written with talweg_plugin_openmesh.hpp: attributes as properties, there and back, and
-// the meshes that they make.
+// Plugins written with talweg_plugin_openmesh.hpp: attributes become properties and return, also on
+// made meshes.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -86,7 +86,7 @@ TEST_F(OpenMeshPlugin, AttributesAreProperties) {
   EXPECT_TRUE(said.empty());
 }
 
-TEST_F(OpenMeshPlugin, EveryTypeAndNumberOfColumnsGoesThereAndBack) {
+TEST_F(OpenMeshPlugin, AttributesOfEveryTypeAndWidthComeBackUnchanged) {
   const std::size_t n = lists.points.size();
   for (std::uint32_t type = TALWEG_FLOAT64; type <= TALWEG_UINT16; ++type) {
     for (const std::uint32_t columns : {1, 2, 3, 4, 5, 64}) {
@@ -110,7 +110,7 @@ TEST_F(OpenMeshPlugin, EveryTypeAndNumberOfColumnsGoesThereAndBack) {
   }
 }
 
-TEST_F(OpenMeshPlugin, CornersShareEntriesAsTheyDid) {
+TEST_F(OpenMeshPlugin, CornersKeepTheirSharedEntries) {
   host::Attribute uv = attribute("uv", TALWEG_OF_CORNERS, 2, {0, 0, 1, 0, 0, 1});
   uv.corners.assign(lists.triangles.size(), {0, 1, 2});
   uv.corners[4] = {2, TALWEG_NO_ENTRY, 0};
@@ -152,7 +152,7 @@ TEST_F(OpenMeshPlugin, BadAttributesAreRefused) {
   corners.corners.assign(lists.triangles.size(), {0, 1, 2});
   EXPECT_EQ(refusal_of(corners),
             "The attribute \"uv\" has the entry 2 at triangle 0, and 2 entries.");
-  instance.set_attributes({good});  // and all is as it was
+  instance.set_attributes({good});  // the refused attributes left no trace
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "no error");
 }
 
@@ -177,19 +177,19 @@ TEST_F(OpenMeshPlugin, DeletedElementsNeedNotBeCollected) {
     EXPECT_EQ(back[0].values[f], double(origin.triangles[f]));
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(mesh.triangles[f][k] + 1, was[k]);
   }
-  // Of the curves one is still a chain of edges.
+  // One of the curves is still a chain of edges.
   EXPECT_EQ(origin.lengths, (std::vector<std::uint32_t>{3, 0}));
   EXPECT_EQ(origin.chains.at(1), (std::array<std::uint32_t, 3>{0, 1, 8}));
 }
 
-TEST_F(OpenMeshPlugin, SaysWhatDoesNotGoOver) {
+TEST_F(OpenMeshPlugin, LostPropertiesAreReported) {
   instance.set_attributes({attribute("x", TALWEG_OF_VERTICES, 1, counted(49))});
   run("own");
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(said[0].substr(0, 33), "The vertex property \"name\" holds ");
   EXPECT_NE(said[0].find("string"), std::string::npos);
   const std::vector<host::Attribute> back = instance.attributes(0);
-  ASSERT_EQ(back.size(), 3U);  // the host's, then the plugin's
+  ASSERT_EQ(back.size(), 3U);  // the attributes of the host, then those of the plugin
   EXPECT_EQ(back[0].name, "x");
   EXPECT_EQ(back[1].name, "twice");
   EXPECT_EQ(back[2].name, "marked");

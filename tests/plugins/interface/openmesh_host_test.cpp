@@ -1,4 +1,5 @@
-// Hosts written with talweg_host_openmesh.hpp, against talweg_host.hpp on the same numbers.
+// Hosts written with talweg_host_openmesh.hpp have the same results as talweg_host.hpp with the
+// same numbers.
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -45,7 +46,7 @@ openmesh::Curve at(const std::vector<int>& vertices) {
   return curve;
 }
 
-/// Along the edges of a row of hills(40), with a step in the middle.
+/// A curve along the edges of a row of hills(40), with a step in the middle.
 openmesh::Curve stairs() {
   std::vector<int> vertices;
   for (int k = 0; k <= 20; ++k) vertices.push_back(14 * 41 + k);
@@ -70,7 +71,7 @@ struct OpenMeshHost : testing::Test {
   const talweg_plugin& cut = test::plugin_of_this_build("talweg.cut");
 };
 
-TEST_F(OpenMeshHost, PointsAreHandedOverWhereTheyAre) {
+TEST_F(OpenMeshHost, PointsAreNotCopied) {
   const Single single = mesh_of<Single>(lists);
   const openmesh::MeshArrays<Single> arrays(single);
   EXPECT_EQ(arrays.positions().data, single.points());
@@ -124,7 +125,7 @@ TEST_F(OpenMeshHost, SmoothsACurveOnASinglePrecisionMesh) {
   }
 }
 
-TEST_F(OpenMeshHost, DeletedElementsAreNotSeenAndHandlesStay) {
+TEST_F(OpenMeshHost, DeletedElementsAreSkippedAndHandlesStayValid) {
   Double mesh = mesh_of<Double>(lists);
   mesh.request_vertex_status();
   mesh.request_edge_status();
@@ -139,7 +140,7 @@ TEST_F(OpenMeshHost, DeletedElementsAreNotSeenAndHandlesStay) {
   const auto results = instance.run({.vertex_fields = true});
   instance.put_fields(results, mesh);
 
-  // The same mesh, collected: handles are numbers, and the results are the same.
+  // After garbage collection, handles are numbers, and the results are the same.
   Double collected = mesh;
   std::vector<VertexHandle*> ends;
   openmesh::Curve drawn = stairs();
@@ -178,7 +179,7 @@ TEST_F(OpenMeshHost, DeletedElementsAreNotSeenAndHandlesStay) {
       "The mesh has 0 vertices and 0 face");
 }
 
-TEST_F(OpenMeshHost, PropertiesComeBackOnMeshesThatWereMade) {
+TEST_F(OpenMeshHost, PropertiesAreCarriedToMadeMeshes) {
   Double mesh = mesh_of<Double>(lists);
   mesh.request_vertex_normals();
   OpenMesh::VProp<OpenMesh::Vec3d> place(mesh, "place");
@@ -219,7 +220,7 @@ TEST_F(OpenMeshHost, PropertiesComeBackOnMeshesThatWereMade) {
   const Double& there = made.mesh;
   ASSERT_GT(there.n_faces(), mesh.n_faces());
   OpenMesh::VPropHandleT<OpenMesh::Vec3d> placed;
-  OpenMesh::VPropHandleT<OpenMesh::Vec3f> normals;  // DefaultTraits'
+  OpenMesh::VPropHandleT<OpenMesh::Vec3f> normals;  // the type of normals in DefaultTraits
   OpenMesh::FPropHandleT<int> number, from;
   OpenMesh::FPropHandleT<std::uint8_t> is_even;
   OpenMesh::HPropHandleT<OpenMesh::Vec2f> corner;
@@ -249,7 +250,7 @@ TEST_F(OpenMeshHost, PropertiesComeBackOnMeshesThatWereMade) {
       EXPECT_NEAR(there.property(corner, h)[0], p[0], 1e-4);
     }
   }
-  // The seam is open: both sides are there at every place of the chain.
+  // The seam is open: each place of the chain has a vertex on both sides.
   ASSERT_EQ(made.chains.size(), 1U);
   EXPECT_FALSE(made.chains[0].closed);
   for (const auto& place_on_it : made.chains[0].places) EXPECT_EQ(place_on_it.size(), 2U);
@@ -271,7 +272,7 @@ TEST_F(OpenMeshHost, FieldsOfTrianglesAreFaceProperties) {
   EXPECT_GT(same, mesh.n_faces() * 9 / 10);
 }
 
-TEST_F(OpenMeshHost, ThePluginsSentencesArrive) {
+TEST_F(OpenMeshHost, ErrorsHaveTheSentenceOfThePlugin) {
   Single mesh = mesh_of<Single>(lists);
   host::OpenMeshInstance<Single> instance(smooth, services);
   EXPECT_EQ(sentence_of([&] { instance.set_mesh(Single()); }).find("no error"), std::string::npos);

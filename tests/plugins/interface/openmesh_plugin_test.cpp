@@ -1,5 +1,5 @@
-// Plugins written with talweg_plugin_openmesh.hpp: meshes, curves and fields, against OpenMesh
-// itself and numbers by hand.
+// Plugins written with talweg_plugin_openmesh.hpp: meshes, curves and fields agree with OpenMesh
+// itself and with numbers worked out by hand.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -55,7 +55,7 @@ TEST_F(OpenMeshPlugin, FieldsAreProperties) {
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "weight has 2 values, and the mesh 49.");
 }
 
-TEST_F(OpenMeshPlugin, RefusesWhatOpenMeshCannotHave) {
+TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {
   EXPECT_EQ(refusal({}), "The mesh has no faces.");
   EXPECT_EQ(refusal({{0, 1, 2}, {0, 2, 8}}), "Face 1 has vertex 8, and the mesh has 8 vertices.");
   EXPECT_EQ(refusal({{0, 1, 2}, {3, 4, 3}}), "Face 1 has vertex 3 twice.");
@@ -68,7 +68,7 @@ TEST_F(OpenMeshPlugin, RefusesWhatOpenMeshCannotHave) {
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}),
       "Face 4 meets other faces at vertex 0 without an edge between them, and a side is closed "
       "there.");
-  // Two triangles that share a vertex: it can have those.
+  // OpenMesh can hold two triangles that share a vertex.
   EXPECT_EQ(refusal({{0, 1, 2}, {0, 3, 4}}), "no error");
   std::vector<double> xyz(9, 0);
   xyz[4] = std::nan("");
@@ -79,7 +79,7 @@ TEST_F(OpenMeshPlugin, RefusesWhatOpenMeshCannotHave) {
             "Vertex 1 has a coordinate that is no finite number.");
 }
 
-/// OpenMesh says which lists it can take.
+/// OpenMesh itself decides which lists of faces are expected to be refused.
 TEST(OpenMeshFaces, AreRefusedWhereOpenMeshRefusesThem) {
   std::mt19937 random(1);
   int taken = 0, refused = 0;
@@ -101,7 +101,7 @@ TEST(OpenMeshFaces, AreRefusedWhereOpenMeshRefusesThem) {
       const auto v = [&](std::size_t i) { return VertexHandle(static_cast<int>(corners[k + i])); };
       all = all && mesh.add_face(v(0), v(1), v(2)).is_valid();
     }
-    // It takes some orders of faces with which it does not find all faces around a vertex.
+    // OpenMesh accepts some orders of faces after which it misses faces around a vertex.
     std::size_t found = 0;
     for (const auto v : mesh.vertices()) {
       for ([[maybe_unused]] const auto f : mesh.vf_range(v)) ++found;
@@ -182,7 +182,7 @@ TEST_F(OpenMeshPlugin, BadCurvesAreRefused) {
   EXPECT_EQ(sentence_of([&] { without.set_curves({at({0, 1})}); }), "This plugin takes no curves.");
 }
 
-TEST_F(OpenMeshPlugin, MovesPositionsToTheNearestPoints) {
+TEST_F(OpenMeshPlugin, PositionsMoveToTheNearestPoints) {
   const SurfaceMesh surface = SurfaceMesh::open(lists);
   const ClosestPoint closest(surface);
   std::mt19937 random(2);

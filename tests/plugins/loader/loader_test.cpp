@@ -1,4 +1,4 @@
-// The loader: where it looks, what it refuses and why, and that it goes on.
+// The loader: searched folders, refused files with the reasons, and loading of all other files.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -26,7 +26,7 @@ class LoaderTest : public test::TemporaryFolder {
   [[nodiscard]] test::Loader open() const {
     return test::Loader(talweg_loader_open(file("").c_str()));
   }
-  /// File name and reason.
+  /// Refused files: pairs of file name and reason.
   static std::map<std::string, std::string> refused(const test::Loader& loader) {
     std::map<std::string, std::string> result;
     for (std::uint64_t k = 0; k < talweg_loader_refused_count(loader.get()); ++k) {
@@ -76,7 +76,7 @@ extern "C" const talweg_module* toy_linked_entry(std::uint32_t major, std::uint3
 
 const talweg_module* no_entry(std::uint32_t, std::uint32_t) { return nullptr; }
 
-TEST_F(LoaderTest, ModulesThatAreLinkedInComeBeforeThoseOfFiles) {
+TEST_F(LoaderTest, LinkedModulesComeBeforeModulesOfFiles) {
   put("plain", "plain.so");
   const talweg_linked_module linked[] = {
       {"no use", no_entry}, {"linked", toy_linked_entry}, {"again", toy_linked_entry}};
@@ -98,7 +98,7 @@ TEST_F(LoaderTest, ModulesThatAreLinkedInComeBeforeThoseOfFiles) {
   EXPECT_NE(why.at("again").find("found already, in linked"), std::string::npos);
 }
 
-TEST_F(LoaderTest, LoadsWhatItCanUse) {
+TEST_F(LoaderTest, PluginsOfGoodModulesAreLoaded) {
   put("plain", "plain.so");
   const test::Loader loader = open();
   ASSERT_EQ(talweg_loader_count(loader.get()), 1U);
@@ -110,7 +110,7 @@ TEST_F(LoaderTest, LoadsWhatItCanUse) {
   EXPECT_EQ(talweg_loader_find(loader.get(), "toy.other"), nullptr);
 }
 
-TEST_F(LoaderTest, VersionsMeetInBothDirections) {
+TEST_F(LoaderTest, OtherMajorVersionsAreRefusedAndNewerMinorVersionsWork) {
   expect_refused("older_major", "made for the plugin interface 0.9, and this is 1.2");
   expect_refused("newer_major", "made for the plugin interface 2.0, and this is 1.2");
   expect_refused("needs_newer", "needs the plugin interface 1.5, and this is 1.2");
@@ -119,7 +119,7 @@ TEST_F(LoaderTest, VersionsMeetInBothDirections) {
   const test::Loader loader = open();
   const talweg_plugin* newer = talweg_loader_find(loader.get(), "toy.newer");
   ASSERT_NE(newer, nullptr);
-  // It sees an older host and leaves out what that does not have; a newer one is asked.
+  // The plugin does without the extension in an older host, and asks a newer host for it.
   const host::Services services("test", "1");
   EXPECT_EQ(run_toy(*newer, services.host(), "of_tomorrow"), -1);
   talweg_host of_tomorrow = *services.host();
@@ -127,9 +127,9 @@ TEST_F(LoaderTest, VersionsMeetInBothDirections) {
   EXPECT_EQ(run_toy(*newer, &of_tomorrow, "of_tomorrow"), 0);
 }
 
-TEST_F(LoaderTest, ANewerHostRunsThePluginsOfToday) {
+TEST_F(LoaderTest, ANewerHostRunsOurPlugins) {
   talweg_host newer = {};
-  newer.size = sizeof newer + 64;  // as if it had grown
+  newer.size = sizeof newer + 64;  // as if a newer interface had more members
   newer.interface_major = TALWEG_INTERFACE_MAJOR;
   newer.interface_minor = TALWEG_INTERFACE_MINOR + 9;
   talweg_instance* instance = nullptr;
@@ -138,7 +138,7 @@ TEST_F(LoaderTest, ANewerHostRunsThePluginsOfToday) {
   smooth.destroy(instance);
 }
 
-TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
+TEST_F(LoaderTest, FilesThatAreNoPluginsAreRefusedAndLoadingContinues) {
   put("plain", "z.so");
   put("foreign", "foreign.so");
   put("small_module", "small.so");
@@ -153,7 +153,7 @@ TEST_F(LoaderTest, RefusesWhatIsNoPluginAndGoesOn) {
   fs::create_directory(file("folder.so"));
   fs::create_symlink(file("nowhere"), file("dangling.so"));
   const std::string whole = bytes_of(fs::path(test::toy_folder()) / "plain.so");
-  write("half.so", whole.substr(0, 5000));  // what is loaded ends later, debug information or not
+  write("half.so", whole.substr(0, 5000));  // before the end of the loaded segments
   write("header.so", whole.substr(0, 40));
   std::string other_machine = whole;
   other_machine[18] = 0x28;  // ARM
@@ -195,7 +195,7 @@ TEST_F(LoaderTest, CutOffLibrariesAreRefusedWhereverTheyEnd) {
   }
 }
 
-TEST_F(LoaderTest, TheFirstOfTheSameIdCounts) {
+TEST_F(LoaderTest, OfPluginsWithTheSameIdTheFirstIsKept) {
   put("plain", "one/a.so");
   put("plain", "two/a.so");
   put("newer_minor", "two/b.so");
@@ -209,7 +209,7 @@ TEST_F(LoaderTest, TheFirstOfTheSameIdCounts) {
             std::string::npos);
 }
 
-TEST_F(LoaderTest, LooksWhereItSaysAndNowhereElse) {
+TEST_F(LoaderTest, OnlyTheNamedFoldersAreSearched) {
   put("plain", "mine/a.so");
   setenv("TALWEG_PLUGIN_PATH", file("mine").c_str(), 1);
   const test::Loader loader(talweg_loader_open(nullptr));
@@ -218,13 +218,13 @@ TEST_F(LoaderTest, LooksWhereItSaysAndNowhereElse) {
   const std::string folders = talweg_loader_folders(loader.get());
   EXPECT_EQ(folders.find(file("mine").string() + ":"), 0U) << folders;
   EXPECT_LE(std::count(folders.begin(), folders.end(), ':'), 3) << folders;
-  // This program lies in the build's bin, so its plugins are found as well.
+  // This program lies in the build's bin, so the plugins of the build are found as well.
   EXPECT_NE(talweg_loader_find(loader.get(), "talweg.smooth"), nullptr) << folders;
   const test::Loader without(talweg_loader_open(nullptr));
   EXPECT_EQ(talweg_loader_find(without.get(), "toy.count"), nullptr);
 }
 
-TEST_F(LoaderTest, NothingIsNothing) {
+TEST_F(LoaderTest, NullArgumentsGiveNullOrEmptyResults) {
   EXPECT_EQ(talweg_loader_count(nullptr), 0U);
   EXPECT_EQ(talweg_loader_plugin(nullptr, 0), nullptr);
   EXPECT_EQ(talweg_loader_find(nullptr, "a"), nullptr);
@@ -252,7 +252,7 @@ TEST_F(LoaderTest, AllPluginsOfTalwegAreInOneModule) {
   }
 }
 
-/// Versions of Talweg may be in one process, in hosts that each bring theirs.
+/// One process may have several versions of Talweg, each in a host of its own.
 TEST_F(LoaderTest, TwoCopiesOfOneModuleShareNothing) {
   const test::Loader first = test::open_loader();
   fs::copy_file(talweg_loader_path(first.get(), 0), file("copy.so"));
@@ -265,7 +265,8 @@ TEST_F(LoaderTest, TwoCopiesOfOneModuleShareNothing) {
   EXPECT_NE(ours, theirs);
   talweg_instance* instance = nullptr;
   ASSERT_EQ(ours->create(nullptr, &instance), TALWEG_OK);
-  EXPECT_EQ(theirs->set_number(instance, "tau", 2), TALWEG_BAD_USAGE);  // not of its own
+  EXPECT_EQ(theirs->set_number(instance, "tau", 2),
+            TALWEG_BAD_USAGE);  // the instance belongs to the other copy
   EXPECT_EQ(ours->set_number(instance, "tau", 2), TALWEG_OK);
   ours->destroy(instance);
 }
@@ -276,7 +277,7 @@ TEST_F(LoaderTest, LoadsAndUnloadsAThousandTimes) {
     const test::Loader loader = test::open_loader();
     const talweg_plugin* plugin = talweg_loader_find(loader.get(), "talweg.smooth");
     ASSERT_NE(plugin, nullptr);
-    if (k % 250 != 0) continue;  // used in between, so that there is something to give back
+    if (k % 250 != 0) continue;  // a run now and then allocates memory that must be freed
     const host::Services services("test", "1");
     host::Instance instance(*plugin, services);
     test::set_mesh(instance, subject.lists);

@@ -1,4 +1,4 @@
-// The plot of curvature along curves: numbers from the library, lines where they belong.
+// The plot of curvature along curves has the numbers of the library, at the right pixels.
 #include "tools/picture/curvature_plot.hpp"
 
 #include <cmath>
@@ -32,7 +32,7 @@ bool is_blue(const Image& image, std::size_t x, std::size_t y) {
   return p[2] > 150 && p[0] < 60 && p[1] < 60;
 }
 
-/// The rows of a column that are blue: their mean, or -1.
+/// The mean of the blue rows of a column; -1 if no row is blue.
 double blue_row(const Image& image, std::size_t x) {
   double sum = 0, count = 0;
   for (std::size_t y = 0; y < image.height; ++y) {
@@ -54,7 +54,7 @@ bool refused(const std::function<void()>& action) {
   return false;
 }
 
-TEST(Strokes, CoverPixelsOnceHoweverOftenTheyPass) {
+TEST(Strokes, APixelIsPaintedOnceByAStrokeThatCrossesItself) {
   Image once = white(40, 20), often = white(40, 20);
   draw_stroke(once, {{5, 10.2}, {35, 10.2}}, 1, Light(0, 0, 0));
   draw_stroke(often, {{5, 10.2}, {35, 10.2}, {5, 10.2}, {35, 10.2}}, 1, Light(0, 0, 0));
@@ -66,7 +66,7 @@ TEST(Strokes, CoverPixelsOnceHoweverOftenTheyPass) {
   EXPECT_GT(once.pixel(20, 11)[0], once.pixel(20, 10)[0]);
 }
 
-TEST(Strokes, MayLeaveThePicture) {
+TEST(Strokes, PartsOutsideThePictureAreCutOff) {
   Image image = white(20, 20);
   draw_stroke(image, {{-50, 10}, {70, 10}, {70, -40}}, 1, Light(0, 0, 0));
   fill_box(image, {-5, 15}, {50, 90}, Light(0, 0, 0));
@@ -75,7 +75,7 @@ TEST(Strokes, MayLeaveThePicture) {
   EXPECT_EQ(image.pixel(19, 19)[0], 0);
 }
 
-TEST(CaptionWidth, IsThatOfTheText) {
+TEST(CaptionWidth, IsTheWidthOfTheDrawnText) {
   Image image = white(200, 40);
   draw_caption(image, "HH", 100, 30, 12, Light(0, 0, 0));
   const double half = 0.5 * caption_width("HH", 12);
@@ -90,7 +90,7 @@ TEST(CaptionWidth, IsThatOfTheText) {
   EXPECT_FALSE(dark(100 + half + 3));
 }
 
-TEST(Stacked, OneBeneathTheOther) {
+TEST(Stacked, PicturesStandOneBeneathTheOther) {
   Image top = white(4, 2), bottom = white(6, 3);
   top.pixel(3, 1)[0] = 1;
   bottom.pixel(5, 0)[0] = 2;
@@ -102,7 +102,7 @@ TEST(Stacked, OneBeneathTheOther) {
   EXPECT_EQ(both.pixel(5, 1)[0], 255);
 }
 
-TEST(CurvaturePlot, DrawsStepsWhereTheyBelong) {
+TEST(CurvaturePlot, StepsAreDrawnAtTheirArcLengths) {
   CurvaturePlot plot;
   plot.edge = 0.5;
   plot.lines = {blue({{0, 5, 1}, {5, 10, -1}})};
@@ -115,7 +115,7 @@ TEST(CurvaturePlot, DrawsStepsWhereTheyBelong) {
   EXPECT_EQ(blue_row(image, 30), -1);
 }
 
-TEST(CurvaturePlot, LinesBehindAreCutOffAndDoNotWidenTheRange) {
+TEST(CurvaturePlot, BackgroundLinesAreClippedAndDoNotWidenTheRange) {
   CurvaturePlot plot;
   plot.edge = 1;
   plot.lines = {blue({{0, 1, 100}, {1, 2, 0}}), blue({{0, 7, 1}})};
@@ -129,13 +129,13 @@ TEST(CurvaturePlot, LinesBehindAreCutOffAndDoNotWidenTheRange) {
     return draw_curvature(only, 600, 200);
   }();
   EXPECT_EQ(blue_row(alone, 300), blue_row(image, 300));
-  for (std::size_t x = 80; x < 300; ++x) {  // above the frame there is nothing of it
+  for (std::size_t x = 80; x < 300; ++x) {  // no pixel above the frame is blue
     const std::uint8_t* p = image.pixel(x, 32);
     EXPECT_LT(std::abs(p[0] - p[1]), 8) << x;
   }
 }
 
-TEST(CurvaturePlot, ShadesWhatPicturesShow) {
+TEST(CurvaturePlot, TheStretchesOfPicturesAreShaded) {
   CurvaturePlot plot;
   plot.edge = 1;
   plot.lines = {blue({{0, 1, 1}})};
@@ -147,7 +147,7 @@ TEST(CurvaturePlot, ShadesWhatPicturesShow) {
   EXPECT_EQ(image.pixel(62 + 300, row)[0], 255);
 }
 
-TEST(CurvaturePlot, RefusesWhatItCannotDraw) {
+TEST(CurvaturePlot, PlotsWithoutLinesOrOfBadSizeAreRefused) {
   CurvaturePlot plot;
   plot.edge = 1;
   EXPECT_TRUE(refused([&] { draw_curvature(plot, 600, 200); }));
@@ -170,7 +170,7 @@ TEST(StretchesIn, AreThePartsOfACurveWithinABall) {
   EXPECT_TRUE(stretches_in({}, {3, 5, 0}, 1).empty());
 }
 
-/// A flat sheet of n by n squares of side 1, each in two.
+/// A flat sheet of n by n squares of side 1, each of two triangles.
 MeshLists sheet(std::uint32_t n) {
   MeshLists mesh;
   for (std::uint32_t j = 0; j <= n; ++j) {
@@ -198,7 +198,7 @@ CurveInput circle(const Point& center, double radius) {
   return input;
 }
 
-TEST(TurningOf, ACircleIsTheSameEverywhere) {
+TEST(TurningOf, ACircleHasConstantCurvature) {
   const std::vector<CurveInput> curves{circle({5, 5, 0}, 3.1), circle({5, 5, 0}, 2.2)};
   const CurveTurning turning = turning_of(sheet(10), curves);
   EXPECT_NEAR(turning.edge, (2 + std::numbers::sqrt2) / 3, 0.05);
@@ -211,9 +211,9 @@ TEST(TurningOf, ACircleIsTheSameEverywhere) {
   }
 }
 
-TEST(TurningOf, RepairsWhatIsNoSurface) {
+TEST(TurningOf, AMeshThatIsNoSurfaceIsRepaired) {
   MeshLists mesh = sheet(4);
-  mesh.triangles.push_back(mesh.triangles[3]);  // twice
+  mesh.triangles.push_back(mesh.triangles[3]);  // a repeated triangle
   std::swap(mesh.triangles[20][0], mesh.triangles[20][1]);
   CurveInput line;
   line.points = std::vector<VertexId>{VertexId{6U}, VertexId{7U}, VertexId{8U}};
@@ -221,14 +221,14 @@ TEST(TurningOf, RepairsWhatIsNoSurface) {
   for (const CurvatureStep& step : turning.steps[0]) EXPECT_NEAR(step.curvature, 0, 1e-9);
 }
 
-TEST(DetailAt, LooksFromAboveOrFromAsideWhereSomethingIsInTheWay) {
+TEST(DetailAt, TheViewIsFromAboveUnlessAPartIsInTheWay) {
   Scene scene;
   scene.mesh = sheet(10);
   scene.curves = {{{{4, 5, 0}, {5, 5, 0}, {6, 5, 0}}, false, {1, 0, 0}, 4}};
   const Detail above = detail_at(scene, {5, 5, 0}, 2);
   EXPECT_EQ(above.normal, Point(0, 0, 1));
   EXPECT_EQ(above.radius, 2);
-  // A lid over the curve, but only there.
+  // A lid hides the curve from above, and no more.
   const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
   for (const Point& p : {Point(3, 4, 1.5), Point(7, 4, 1.5), Point(7, 6, 1.5), Point(3, 6, 1.5)}) {
     scene.mesh.points.push_back(p);

@@ -1,4 +1,4 @@
-// Hands on a bumpy mesh: what a stroke becomes must not depend on the device.
+// Strokes on a bumpy mesh: the smoothed stroke must not depend on the device that drew it.
 #include "tools/scenes/hands.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ const Subject& figure() {
   return subject;
 }
 
-TEST(Hands, AreSmoothedAlikeHoweverTheyAreSampled) {
+TEST(Hands, TheSmoothedStrokeDoesNotDependOnItsSampling) {
   const std::vector<HandRun> runs = hand_runs(figure(), 2, 3);
   ASSERT_EQ(runs.size(), 22U);
   for (const HandRun& run : runs) {
@@ -30,7 +30,7 @@ TEST(Hands, AreSmoothedAlikeHoweverTheyAreSampled) {
   }
 }
 
-TEST(Hands, DrawWhatTheyAreAskedFor) {
+TEST(Hands, AStrokeHasTheRequestedTremblingAndSampling) {
   const SurfaceMesh& mesh = figure().mesh->mesh();
   scenes::Hand hand;
   hand.length = 30;
@@ -41,7 +41,7 @@ TEST(Hands, DrawWhatTheyAreAskedFor) {
   scenes::Sampling sampling;
   sampling.step = 1;
   EXPECT_EQ(stroke.sampled(sampling).size(), 31U);
-  // The same hand, whatever samples it: a sample at 12 edges lies where it lies.
+  // The way of the hand does not depend on its sampling: samples at 12 edges agree.
   const Point at = stroke.sampled(sampling)[12];
   sampling.step = 0.5;
   EXPECT_NEAR((stroke.sampled(sampling)[24] - at).norm(), 0, 1e-9 * h);
@@ -57,7 +57,7 @@ TEST(Hands, DrawWhatTheyAreAskedFor) {
   EXPECT_LT(farthest, 2.2 * h);
 }
 
-TEST(Hands, MayGoRoundAPoint) {
+TEST(Hands, AStrokeMayGoAroundAPoint) {
   scenes::Hand hand;
   hand.radius = 8;
   hand.over = 3;

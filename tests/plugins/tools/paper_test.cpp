@@ -1,4 +1,4 @@
-// The meshes and drawings of ./run paper and of the benchmarks.
+// The meshes and drawings of ./run paper and of the benchmarks have the stated properties.
 #include <cmath>
 #include <numbers>
 
@@ -45,12 +45,12 @@ TEST(PaperMeshes, TheSpheresFacesLookOutwards) {
   for (const Triangle& t : mesh.triangles) {
     volume += mesh.points[t[0]].dot(mesh.points[t[1]].cross(mesh.points[t[2]])) / 6;
   }
-  // An inscribed polyhedron has less than the ball, by O(edge²).
+  // The volume of an inscribed polyhedron is smaller than the ball's by O(edge²).
   EXPECT_LT(volume, 4 * std::numbers::pi / 3);
   EXPECT_GT(volume, 0.97 * 4 * std::numbers::pi / 3);
 }
 
-TEST(PaperMeshes, ABumpyBallOpensAndStaysTheSame) {
+TEST(PaperMeshes, ABumpyBallIsASurfaceAndReproducible) {
   const MeshLists once = bumpy_ball(9, 4), again = bumpy_ball(9, 4), other = bumpy_ball(9, 5);
   EXPECT_EQ(euler_number(SurfaceMesh::open(once).surface()), 2);
   EXPECT_EQ(once.points, again.points);
@@ -78,7 +78,7 @@ TEST(PaperMeshes, RefiningKeepsSurfaceAreaAndTopology) {
   EXPECT_EQ(none.triangles, coarse.triangles);
 }
 
-TEST(PaperDrawings, ATourHasTheWishedLengthAndRunsAlongEdges) {
+TEST(PaperDrawings, ATourHasTheRequestedLengthAndRunsAlongEdges) {
   const auto mesh = OpenedMesh::open(bumpy_ball(20, 1));
   const SurfaceCurve curve = tour(*mesh, 150, 3);
   EXPECT_FALSE(curve.closed);

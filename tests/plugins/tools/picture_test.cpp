@@ -73,19 +73,19 @@ ErrorCode code_of(const std::function<void()>& action) {
   return ErrorCode::kNumerical;
 }
 
-TEST(SampleBuffer, TriangleCoversTheSamplesWhoseCentresItHolds) {
+TEST(SampleBuffer, ATriangleCoversTheSamplesWithCentresInsideIt) {
   SampleBuffer buffer(10, 10);
   buffer.draw_triangle(7, {0, 0, 1}, {10, 0, 1}, {0, 10, 1});
   for (std::size_t y = 0; y < 10; ++y) {
     for (std::size_t x = 0; x < 10; ++x) {
-      const double sum = double(x) + double(y) + 1;  // of the centre's coordinates
-      if (sum == 10) continue;                       // on the edge itself
+      const double sum = double(x) + double(y) + 1;  // sum of the coordinates of the centre
+      if (sum == 10) continue;                       // the centre is on the edge
       EXPECT_EQ(buffer.id(x, y), sum < 10 ? 7U : SampleBuffer::kNothing) << x << ' ' << y;
     }
   }
 }
 
-TEST(SampleBuffer, InterpolatesDepthAndKeepsTheNearest) {
+TEST(SampleBuffer, DepthIsInterpolatedAndTheNearestTriangleStays) {
   SampleBuffer buffer(8, 8);
   // z = 2 x + 3 y over the whole raster, and a plane z = 10 across it.
   buffer.draw_triangle(1, {-8, -8, -40}, {24, -8, 24}, {-8, 24, 56});
@@ -100,14 +100,14 @@ TEST(SampleBuffer, InterpolatesDepthAndKeepsTheNearest) {
   }
 }
 
-TEST(SampleBuffer, TriangleOutsideTheRasterLeavesNothing) {
+TEST(SampleBuffer, ATriangleOutsideTheRasterCoversNoSample) {
   SampleBuffer buffer(4, 4);
   buffer.draw_triangle(1, {-9, -9, 0}, {-5, -9, 0}, {-5, -5, 0});
   buffer.draw_triangle(1, {1, 1, 0}, {2, 2, 0}, {3, 3, 0});  // no area
   for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(buffer.id(i % 4, i / 4), SampleBuffer::kNothing);
 }
 
-TEST(SampleBuffer, TubeIsARoundCylinder) {
+TEST(SampleBuffer, ATubeIsARoundCylinder) {
   SampleBuffer buffer(20, 11);
   buffer.draw_tube(0, {-5, 5.5, 0}, {25, 5.5, 0}, 4, 0);
   // Sample centres are 0, 1, ... 5 away from the axis.
@@ -132,7 +132,7 @@ TEST(CornerNormals, SmoothBelowTheCreaseAngleSharpAboveIt) {
   EXPECT_NEAR(smooth[0].z(), std::sqrt(0.5), 1e-6);
 }
 
-TEST(Render, CentreShowsTheMeshAndCornerTheBackground) {
+TEST(Render, TheCentreShowsTheMeshAndTheCornerTheBackground) {
   const RenderOptions options = plain();
   const Image image = render(square_scene(), options);
   ASSERT_EQ(image.rgb.size(), 3U * 100 * 100);
@@ -146,7 +146,7 @@ TEST(Render, CentreShowsTheMeshAndCornerTheBackground) {
   EXPECT_LT(std::abs(image.pixel(96, 50)[2] - background[2]), 4);
 }
 
-TEST(Render, CurveOnTheSurfaceIsSeenWithItsFullWidth) {
+TEST(Render, ACurveOnTheSurfaceHasItsFullWidth) {
   Scene scene = square_scene();
   scene.curves = {red_line({-0.5, 0, 0}, {0.5, 0, 0}, 6)};
   const Image image = render(scene, plain());
@@ -154,18 +154,18 @@ TEST(Render, CurveOnTheSurfaceIsSeenWithItsFullWidth) {
   std::size_t width = 0;
   for (std::size_t y = 0; y < 100; ++y) width += is_red(image, 50, y) ? 1U : 0U;
   EXPECT_EQ(width, 6U);
-  EXPECT_FALSE(is_red(image, 15, 50));  // beyond its end
+  EXPECT_FALSE(is_red(image, 15, 50));  // beyond the end of the line
 }
 
-TEST(Render, CurveBehindTheSurfaceIsHidden) {
+TEST(Render, ACurveBehindTheSurfaceIsHidden) {
   Scene scene = square_scene();
   scene.curves = {red_line({-0.5, 0, -0.5}, {0.5, 0, -0.5}, 6)};
   EXPECT_EQ(count_red(render(scene, plain())), 0U);
-  scene.panels[0].view = -Point::UnitZ();  // from the other side it is in front
+  scene.panels[0].view = -Point::UnitZ();  // seen from the other side, the curve is in front
   EXPECT_GT(count_red(render(scene, plain())), 100U);
 }
 
-TEST(Render, ChoosesASideFromWhichTheCurveIsSeen) {
+TEST(Render, TheViewIsFromASideThatShowsTheCurve) {
   MeshLists box;
   for (int i = 0; i < 8; ++i) box.points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
   box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
@@ -218,7 +218,7 @@ TEST(Render, ZoomEnlarges) {
   EXPECT_NEAR(double(after) - double(before), 18 * 6, 6);
 }
 
-TEST(Render, RefusesWhatCannotBeDrawn) {
+TEST(Render, BadScenesAreRefused) {
   EXPECT_EQ(code_of([] { render(Scene{}); }), ErrorCode::kBadMesh);
   Scene scene = square_scene();
   scene.mesh.triangles[1][2] = 4;
@@ -298,7 +298,7 @@ TEST(Render, ColoursFacesAndRefusesTooFewColours) {
   EXPECT_EQ(code_of([&] { render(scene, plain()); }), ErrorCode::kBadUsage);
 }
 
-TEST(WritePng, WritesAFileAndNamesTheOneThatItCannot) {
+TEST(WritePng, AFileIsWrittenAndAnErrorNamesTheFile) {
   const std::filesystem::path path =
       std::filesystem::path(testing::TempDir()) / "talweg_picture_test.png";
   write_png(path, render(square_scene(), plain()));

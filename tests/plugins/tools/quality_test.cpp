@@ -1,4 +1,4 @@
-// What ./run quality measures: its drawings, its tables, and the program on small meshes.
+// The measures of ./run quality: drawings, goals, tables, and the program on small meshes.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -38,7 +38,7 @@ double longest_edge(const Surface& surface) {
   return longest;
 }
 
-/// How often the closed polygon turns around the z axis, to the left.
+/// The winding number of a closed polygon around the z axis.
 double turns_around_z(const SurfaceMesh& mesh, const std::vector<VertexId>& loop) {
   double angle = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -54,14 +54,14 @@ void expect_edge_path(const Surface& surface, const std::vector<VertexId>& path,
   }
 }
 
-TEST(LevelSets, OfHeightAreCirclesOfLatitude) {
+TEST(LevelSets, LevelSetsOfHeightAreCirclesOfLatitude) {
   const SurfaceMesh mesh = SurfaceMesh::open(paper::sphere(24));
   const double edge = longest_edge(mesh.surface());
   for (const double height : {-0.8, 0.013, 0.41}) {
     const Loops loops = closed_level_sets(mesh, [&](const Point& p) { return p.z() - height; });
     ASSERT_EQ(loops.size(), 1U);
     expect_edge_path(mesh.surface(), loops[0], false);
-    // The vertex nearest to the first crossing may be that of the last one too.
+    // The vertex nearest to the first crossing may also be the nearest to the last crossing.
     const VertexId first = loops[0].front(), last = loops[0].back();
     EXPECT_TRUE(first == last || mesh.surface().find_halfedge(last, first).valid());
     EXPECT_NEAR(std::abs(turns_around_z(mesh, loops[0])), 1, 1e-12);
@@ -71,15 +71,15 @@ TEST(LevelSets, OfHeightAreCirclesOfLatitude) {
       EXPECT_LT(std::abs(p.z() - height), edge);
       length += (p - mesh.point(loops[0][(i + 1) % loops[0].size()])).norm();
     }
-    // Jagged, so longer than the circle; along edges of nearly equilateral triangles at most about
-    // twice as long.
+    // A jagged path is longer than the circle. Along edges of nearly equilateral triangles it is at
+    // most about twice as long.
     const double circle = 2 * std::numbers::pi * std::sqrt(1 - height * height);
     EXPECT_GT(length, 0.95 * circle);
     EXPECT_LT(length, 2.1 * circle);
   }
 }
 
-TEST(LevelSets, EveryLoopOfAFunctionIsFoundTheLongestFirst) {
+TEST(LevelSets, EveryLoopIsFoundAndTheLongestComesFirst) {
   const SurfaceMesh mesh = SurfaceMesh::open(paper::sphere(24));
   const Loops two =
       closed_level_sets(mesh, [](const Point& p) { return (p.z() - 0.31) * (p.z() + 0.83); });
@@ -93,7 +93,7 @@ TEST(LevelSets, EveryLoopOfAFunctionIsFoundTheLongestFirst) {
   EXPECT_TRUE(closed_level_sets(mesh, [](const Point&) { return -1.0; }).empty());
 }
 
-TEST(LevelSets, ThatEndAtTheBoundaryAreLeftOut) {
+TEST(LevelSets, CurvesThatEndAtTheBoundaryAreLeftOut) {
   const SurfaceMesh disc = SurfaceMesh::open(paper::disc(12));
   EXPECT_TRUE(closed_level_sets(disc, [](const Point& p) { return p.x() - 0.011; }).empty());
   EXPECT_EQ(closed_level_sets(disc, [](const Point& p) { return 0.53 - p.norm(); }).size(), 1U);
@@ -126,7 +126,7 @@ TEST(Drawings, DependOnTheSeedAlone) {
   EXPECT_NE(paths(1), paths(2));
 }
 
-TEST(Drawings, AreAsManyAsThereIsRoomFor) {
+TEST(Drawings, SmallMeshesHaveFewerDrawings) {
   const auto tiny = OpenedMesh::open(paper::sphere(1));
   for (const NamedPath& drawing : generated_drawings(*tiny, 1)) {
     EXPECT_NO_THROW(check_drawn(tiny->surface(), drawing.curve(tiny->surface())));
@@ -138,7 +138,7 @@ class StoredDrawings : public TemporaryFolder {
   void store(const char* name, const char* text) const { std::ofstream(file(name)) << text; }
 };
 
-TEST_F(StoredDrawings, AreThoseOfTheMesh) {
+TEST_F(StoredDrawings, AStoredDrawingIsReadForItsMesh) {
   store("ball.txt", "1\n2\n3\n");
   store("ball_ring.txt", "4\n5\n6\n7\n4\n");
   store("balloon.txt", "1\n2\n");
@@ -153,7 +153,7 @@ TEST_F(StoredDrawings, AreThoseOfTheMesh) {
   EXPECT_TRUE(stored_drawings(file("absent"), "ball").empty());
 }
 
-TEST_F(StoredDrawings, ThatAreNoNumbersAreRefused) {
+TEST_F(StoredDrawings, FilesWithOtherTextThanNumbersAreRefused) {
   store("ball.txt", "1\ntwo\n");
   EXPECT_THROW(stored_drawings(file(""), "ball"), Error);
 }
@@ -194,12 +194,12 @@ const Goal& goal(const std::vector<Goal>& goals, const std::string& words) {
   return goals.front();
 }
 
-TEST(Run, ALoopsRatioLeavesOutWhatItMustTurn) {
+TEST(Run, ALoopsRatioLeavesOutItsLeastTurn) {
   EXPECT_DOUBLE_EQ(run_of("a", 1, 100, 5).ratio(), 0.05);
   EXPECT_DOUBLE_EQ(run_of("a", 1, 106, 11, 6).ratio(), 0.05);
 }
 
-TEST(Goals, OfCurvatureTellJaggedDrawingsFromAll) {
+TEST(Goals, CurvatureGoalsCountJaggedDrawingsSeparately) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 1), run_of("a", 1, 100, 5),
                                  run_of("a", 1, 100, 30), run_of("a", 1, 24, 24)};
   std::vector<Goal> reached = goals(runs, {}, {});
@@ -219,7 +219,7 @@ TEST(Goals, OfCurvatureTellJaggedDrawingsFromAll) {
   EXPECT_FALSE(goal(reached, "collapse").met);
 }
 
-TEST(Goals, OfSpreadLookAtTauOne) {
+TEST(Goals, SpreadGoalsUseTauOne) {
   std::vector<quality::Run> runs{run_of("a", 1, 100, 1), run_of("a", 1, 100, 5),
                                  run_of("a", 1, 100, 8), run_of("a", 4, 100, 99)};
   runs[2].window_turning = runs[3].window_turning = 0.5;  // 28.6 degrees
@@ -233,7 +233,7 @@ TEST(Goals, OfSpreadLookAtTauOne) {
   EXPECT_TRUE(goal(reached, "largest turn at one point, worst").met);
 }
 
-TEST(Goals, OfClosenessLookAtTauOne) {
+TEST(Goals, ClosenessGoalsUseTauOne) {
   std::vector<quality::Run> runs;
   for (int i = 0; i < 40; ++i) {
     runs.push_back(run_of("a", 1, 100, 5));
@@ -241,7 +241,7 @@ TEST(Goals, OfClosenessLookAtTauOne) {
     runs.push_back(run_of("a", i % 2 == 0 ? 2 : 4, 100, 5));
     runs.back().to_drawn = 50;
   }
-  runs[0].from_drawn = 3.5;  // one of forty
+  runs[0].from_drawn = 3.5;  // one run of forty
   std::vector<Goal> reached = goals(runs, {}, {});
   EXPECT_TRUE(goal(reached, "result to drawing").met);
   EXPECT_EQ(goal(reached, "result to drawing").reached, "1.00 h₀");
@@ -251,7 +251,7 @@ TEST(Goals, OfClosenessLookAtTauOne) {
   EXPECT_FALSE(goal(goals(runs, {}, {}), "both directions").met);
 }
 
-TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
+TEST(Goals, SteadinessGoalsCountStepsAndWorstCases) {
   Sweep calm{"a", "open 9"}, jumpy{"b", "open 9"};
   calm.steps = jumpy.steps = 50;
   calm.rises = 1;
@@ -261,7 +261,7 @@ TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
   const std::vector<Subdivision> finer{{"a", "open 9", {2, 2.1, 1.9}, {1, 1.05, 1}, {0, 0.1, 0.2}},
                                        {"b", "open 9", {2, 1, 3}, {1, 0.8, 1}, {0, 0.6, 0.2}}};
   const std::vector<Goal> reached = goals({}, sweeps, finer);
-  EXPECT_EQ(reached.size(), 7U);  // nothing of what was not measured
+  EXPECT_EQ(reached.size(), 7U);  // no goal without measured runs
   EXPECT_TRUE(goal(reached, "rises").met);
   EXPECT_EQ(goal(reached, "rises").reached, "2.0 %");
   EXPECT_FALSE(goal(reached, "moves").met);
@@ -273,7 +273,7 @@ TEST(Goals, OfSteadinessCountStepsAndWorstCases) {
   EXPECT_TRUE(goals({}, {}, {}).empty());
 }
 
-TEST(Goals, OfClicksAreThoseOfTheirRuns) {
+TEST(Goals, ClickGoalsUseTheRunsOfClicks) {
   quality::ClickedRun good{"a", "open 90", 4, 20, 0, 0.05, 0.1, 0.05, 0.2, 1.02, 0.03, 5, false};
   quality::ClickedRun far = good;
   far.mesh = "b";
@@ -324,7 +324,7 @@ TEST(Tables, SideBySideHaveTheSameDrawings) {
   const std::vector<quality::Run> ours{run_of("a", 1, 100, 2), run_of("b", 1, 100, 50)};
   std::vector<quality::Run> paper{run_of("a", 1, 100, 70), run_of("a", 2, 100, 70)};
   const std::vector<quality::Run> relaxed{run_of("a", 1, 100, 40)};
-  paper[0].solve_ms = paper[1].solve_ms = 7;  // once for both
+  paper[0].solve_ms = paper[1].solve_ms = 7;  // one solution for both runs
   paper[0].smooth_ms = 2;
   paper[1].smooth_ms = 3;
   const std::string text = side_by_side(ours, paper, relaxed);
@@ -350,7 +350,7 @@ TEST(Tables, CommaSeparatedValuesHaveAsManyNamesAsNumbers) {
             std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), ','));
 }
 
-TEST(BoundedRuns, AreThoseThatStrayedAtTauTwo) {
+TEST(BoundedRuns, AreTheRunsThatStrayedAtTauTwo) {
   Subject subject{"ball", paper::bumpy_ball(20, 2), nullptr, {}};
   subject.mesh = OpenedMesh::open(subject.lists);
   subject.drawings = generated_drawings(*subject.mesh, 1);
@@ -360,7 +360,7 @@ TEST(BoundedRuns, AreThoseThatStrayedAtTauTwo) {
                                  run_of("ball", 1, 100, 2), run_of("ball", 2, 100, 2)};
   for (quality::Run& run : runs) run.edge = longest_edge(subject.mesh->surface());
   EXPECT_TRUE(bounded_runs(subject, runs, {}).empty());
-  runs[2].from_drawn = 7;  // of the second drawing, but not at this tau
+  runs[2].from_drawn = 7;  // the second drawing strays, but at another tau
   runs[3].from_drawn = 5;
   runs[3].drawing = subject.drawings[1].name;
   const std::vector<BoundedRun> bounded = bounded_runs(subject, runs, {});
@@ -403,7 +403,7 @@ TEST_F(QualityProgram, MeasuresAFolderOfMeshes) {
   }
   EXPECT_EQ(text.find("## τ from"), std::string::npos);
   EXPECT_NE(bytes_of(file("out.log")).find("broken: left out."), std::string::npos);
-  // Four τ a drawing, and the names.
+  // The table has a row for each of four τ of a drawing, and a row of names.
   const std::string table = bytes_of(file("out/runs.csv"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n') % 4, 1);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), [&] {
@@ -412,7 +412,7 @@ TEST_F(QualityProgram, MeasuresAFolderOfMeshes) {
   }());
 }
 
-TEST_F(QualityProgram, RefusesWhatItDoesNotKnow) {
+TEST_F(QualityProgram, UnknownArgumentsAreRefused) {
   EXPECT_EQ(run("out --parts everything"), 1);
   EXPECT_EQ(run(""), 1);
   EXPECT_NE(bytes_of(file("err.log")).find("OUTDIR"), std::string::npos);
@@ -423,7 +423,7 @@ TEST_F(QualityProgram, DrawsThePicturesOfTheGallery) {
   subject.mesh = OpenedMesh::open(subject.lists);
   subject.drawings = generated_drawings(*subject.mesh, 1);
   const std::vector<NamedPath> shown = gallery_drawings(subject);
-  ASSERT_EQ(shown.size(), 1U);  // none is stored
+  ASSERT_EQ(shown.size(), 1U);  // there are no stored drawings
   EXPECT_FALSE(shown[0].closed);
   write_gallery_picture(subject, shown[0], file("ball.png"));
   EXPECT_EQ(bytes_of(file("ball.png")).substr(1, 3), "PNG");

@@ -27,7 +27,7 @@ std::size_t boundary_edges(const Surface& surface) {
   return count;
 }
 
-// Six times the volume that a closed mesh encloses; positive when normals point outwards.
+// Six times the volume inside a closed mesh; positive if the normals point outwards.
 double signed_volume(const MeshLists& mesh) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -45,7 +45,8 @@ const std::vector<DemoScene>& scenes() {
   return all;
 }
 
-// Manifold and oriented (Surface refuses what is not), in one piece, without slivers.
+// Expects a mesh that is manifold and oriented (Surface refuses others), in one piece, without
+// slivers.
 void expect_clean(const MeshLists& mesh) {
   const Surface surface = surface_of(mesh);
   EXPECT_EQ(components_of(surface).count, 1U);
@@ -58,7 +59,7 @@ void expect_clean(const MeshLists& mesh) {
   EXPECT_GT(worst, 0.01);
 }
 
-TEST(Isosurface, BallIsClosedAndAsLargeAsItIs) {
+TEST(Isosurface, ABallIsClosedAndHasTheVolumeOfTheBall) {
   const Field ball = [](const Point& p) { return p.norm() - 1; };
   MeshLists mesh = isosurface(ball, Point::Constant(-1.3), Point::Constant(1.3), 0.08);
   relax(mesh, ball, 0.08, 3);
@@ -73,7 +74,7 @@ TEST(Isosurface, BallIsClosedAndAsLargeAsItIs) {
   for (const Point& p : mesh.points) EXPECT_NEAR(p.norm(), 1, 1e-4);
 }
 
-TEST(Isosurface, OpenWhereItLeavesTheBox) {
+TEST(Isosurface, TheSurfaceIsOpenAtTheBox) {
   const Field rod = [](const Point& p) { return std::hypot(p.x(), p.y()) - 0.5; };
   const MeshLists mesh = isosurface(rod, Point::Constant(-1), Point::Constant(1), 0.1);
   expect_clean(mesh);
@@ -89,7 +90,7 @@ TEST(Noise, IsZeroAtIntegersAndContinuous) {
 }
 
 // One test, since making the scenes takes most of its time.
-TEST(Scenes, AreWhatTheyPromise) {
+TEST(Scenes, MeshesAreCleanAndOfTheStatedTopology) {
   ASSERT_EQ(scenes().size(), 3U);
   EXPECT_EQ(scenes()[0].name, "vessel");
   EXPECT_EQ(scenes()[1].name, "figure");
@@ -120,7 +121,7 @@ TEST(Scenes, TerrainIsAHeightFieldThatFacesUp) {
   }
 }
 
-TEST(Scenes, SameBytesEveryTime) {
+TEST(Scenes, ScenesAreReproducibleBitForBit) {
   const std::vector<DemoScene> again = demo_scenes();
   for (std::size_t i = 0; i < again.size(); ++i) {
     EXPECT_TRUE(ply_bytes(again[i].mesh) == ply_bytes(scenes()[i].mesh)) << again[i].name;
@@ -128,7 +129,7 @@ TEST(Scenes, SameBytesEveryTime) {
   }
 }
 
-TEST(Waypoints, ArgumentsOfTheDriver) {
+TEST(Waypoints, TextsAreArgumentsOfTheDriver) {
   EXPECT_EQ(draw_arguments({{3, 1, 2}, false}), "--through 3,1,2 --points rough");
   EXPECT_EQ(draw_arguments({{3, 1, 2}, true}), "--through 3,1,2 --closed --points rough");
 }
@@ -148,7 +149,7 @@ TEST(Waypoints, AcrossStaysOnTheLargestComponent) {
   EXPECT_EQ(waypoints_across(mesh).vertices, across.vertices);
 }
 
-TEST(Waypoints, NothingToDrawOnIsAnError) {
+TEST(Waypoints, AMeshTooSmallForACurveIsAnError) {
   EXPECT_THROW(waypoints_across(MeshLists{}), Error);
   MeshLists mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -1,4 +1,5 @@
-// toy.hostile: a plugin that gives nonsense, or never returns. Hosts must bear it.
+// toy.hostile: a plugin that returns invalid results, or never returns. Hosts must refuse the
+// results and go on.
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -21,7 +22,7 @@ namespace {
 
 using plugin::view;
 
-/// One triangle's corner, edge and middle, as a curve should be given.
+/// A valid curve in one triangle: through a corner, a point on an edge and a point inside.
 struct Given {
   std::vector<std::uint32_t> vertices = {0, TALWEG_NO_VERTEX, TALWEG_NO_VERTEX};
   std::vector<std::uint32_t> faces = {0, 0, 0};

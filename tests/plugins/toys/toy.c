@@ -1,6 +1,6 @@
 /*
- * A plugin in pure C that only counts vertices, built many times over: with other interface
- * versions and with the faults that a loader must see.
+ * A plugin in pure C that counts vertices. It is built several times, with other versions of the
+ * interface and with faults that a loader must detect.
  */
 #include <stdlib.h>
 
@@ -76,7 +76,7 @@ static talweg_status toy_run(talweg_instance* instance, const talweg_sink* sink)
   if (sink->report == NULL) return TALWEG_OK;
   if (sink->report(sink->context, &entry) != TALWEG_OK) return TALWEG_HOST_FAILED;
   if (instance->host != NULL && instance->host->interface_minor >= 7) {
-    /* What only newer hosts have is asked for, and done without. */
+    /* An extension of newer hosts is asked for, but not needed. */
     minor = instance->host->get_extension(instance->host, "talweg.of-tomorrow/1") != NULL;
   }
   entry.key = "of_tomorrow";

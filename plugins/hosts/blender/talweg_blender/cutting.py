@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from . import attributes, objects, remade
+from . import attributes, objects, replace_mesh
 from .package import talweg
 
 
@@ -46,8 +46,8 @@ def cut(obj, arrays, curves, mark=None, **how):
     saved = _saved(obj, arrays)
     made = yield _cutting(saved, arrays, curves, how)
     with object_mode(obj):
-        place = remade.rewrite(obj, made.mesh, saved, arrays)[1]
-        remade.select_chains(obj, made.mesh, place)
+        place = replace_mesh.rewrite(obj, made.mesh, saved, arrays)[1]
+        replace_mesh.select_chains(obj, made.mesh, place)
         if mark:
             marked = attributes.read(obj.data.edges, mark, 1, bool)
             attributes.write(obj.data.edges, mark, marked | attributes.read(obj.data.edges, "select", 1, bool))
@@ -72,8 +72,8 @@ def separate(obj, arrays, curves, **how):
             obj.data = obj.data.copy()
         pieces = [obj] + [_copy(obj) for _ in made.meshes[1:]]
         for one, piece in zip(pieces, made.meshes):
-            place = remade.rewrite(one, piece, saved, arrays)[1]
-            remade.select_chains(one, piece, place)
+            place = replace_mesh.rewrite(one, piece, saved, arrays)[1]
+            replace_mesh.select_chains(one, piece, place)
             one.select_set(True)
     return pieces, [*objects.warnings(obj, saved.lost), *of_report(made)]
 
@@ -93,10 +93,10 @@ def smooth_materials(obj, arrays, **how):
     materials = saved.at_faces["flag:material_index"][arrays.polygons]
     found = yield lambda progress: saved.mesh(arrays, plugin="talweg.labels", progress=progress).labels(
         materials, of="faces", progress=progress, **how)
-    layout, place = remade.rewrite(obj, found.mesh, saved, arrays)
+    layout, place = replace_mesh.rewrite(obj, found.mesh, saved, arrays)
     attributes.write(obj.data.polygons, "material_index",
                      found.mesh.face_attributes["label"][layout.triangle_of].astype(np.int32))
-    remade.select_chains(obj, found.mesh, place)
+    replace_mesh.select_chains(obj, found.mesh, place)
     obj.data.update()
     return found, objects.warnings(obj, saved.lost)
 
@@ -116,8 +116,8 @@ def smooth_group(obj, arrays, threshold, **how):
     weights = made.vertex_attributes["groups"]
     weights[:, number] = 0
     weights[made.faces[made.face_attributes["label"] == 1].ravel(), number] = 1
-    place = remade.rewrite(obj, made, saved, arrays)[1]
-    remade.select_chains(obj, made, place)
+    place = replace_mesh.rewrite(obj, made, saved, arrays)[1]
+    replace_mesh.select_chains(obj, made, place)
     return found, objects.warnings(obj, saved.lost)
 
 
@@ -128,5 +128,5 @@ def repair(obj, arrays, steps):
     fixed = yield lambda progress: saved.mesh(arrays, plugin="talweg.repair", progress=progress).repair(
         steps, progress=progress)
     with object_mode(obj):
-        remade.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
+        replace_mesh.rewrite(obj, fixed.mesh, saved, arrays, fixed.became)
     return fixed, objects.warnings(obj, saved.lost)

@@ -63,14 +63,14 @@ def selected_edges(mesh):
     has_face = _with_faces(mesh)
     wire = ends[chosen & ~has_face]
     chosen &= has_face
-    told = f"{len(wire)} of the selected edges are wire, without a face" if len(wire) != 1 else \
+    message = f"{len(wire)} of the selected edges are wire, without a face" if len(wire) != 1 else \
         "One of the selected edges is wire, without a face"
     where = f" (first: between vertices {wire[0, 0]} and {wire[0, 1]})" if len(wire) else ""
     if not chosen.any():
-        raise talweg.BadCurve(f"{told}{where}; a curve needs a surface to lie on.")
+        raise talweg.BadCurve(f"{message}{where}; a curve needs a surface to lie on.")
     curves = [talweg.Curve(vertices=chain, closed=closed) for chain, closed in chains(ends[chosen])]
     return Drawing(curves, key_of("edges", np.unique(np.sort(ends[chosen], axis=1), axis=0)),
-                   warnings=[f"{told}{where}: left out."] if len(wire) else [])
+                   warnings=[f"{message}{where}: left out."] if len(wire) else [])
 
 
 def _with_faces(mesh):
@@ -141,7 +141,7 @@ def _far(curve, name, surface):
     if curve.faces is not None or not np.isfinite(curve.positions).all():
         return []
     distance = surface.farthest(curve.positions)
-    return [f"{name} lies {surface.told(distance)}."] if distance > surface.far else []
+    return [f"{name} lies {surface.distance_text(distance)}."] if distance > surface.far else []
 
 
 def _spline(spline, move, name):

@@ -39,14 +39,14 @@ class Job:
 
     def __init__(self, work):
         self._at, self._began = "", time.monotonic()
-        self._work, self._given, self._error = work, None, None
+        self._work, self._result, self._error = work, None, None
         self._stopped = False
         self._thread = threading.Thread(target=self._run, name="talweg", daemon=True)
         self._thread.start()
 
     def _run(self):
         try:
-            self._given = self._work(self._progress)
+            self._result = self._work(self._progress)
         except talweg.Error as error:
             self._error = error
         except Exception as error:  # an error of any kind must end the wait of Blender
@@ -57,7 +57,7 @@ class Job:
         return not self._stopped
 
     @property
-    def told(self):
+    def status(self):
         """The progress and the seconds since the start, for the status bar: some stages report no
         progress."""
         return f"{self._at}{time.monotonic() - self._began:.0f} s"
@@ -70,11 +70,11 @@ class Job:
         self._thread.join(wait)
         return not self._thread.is_alive()
 
-    def given(self):
+    def result(self):
         """The result of the work; raises the talweg.Error that ended it."""
         if self._error is not None:
             raise self._error
-        return self._given
+        return self._result
 
     def stop(self):
         """Asks the work to end. Its result is dropped, and nothing waits for it."""

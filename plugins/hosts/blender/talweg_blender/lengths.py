@@ -10,7 +10,7 @@ def number(value, digits=3):
     return f"{value:.0f}" if is_large else f"{value:.{digits}g}"
 
 
-def told(context, value):
+def with_unit(context, value):
     """A length in the units of the scene, or as a plain number if the scene has none."""
     units = context.scene.unit_settings
     if units.system == "NONE":

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import beside, curve_object, drawings, lengths, operators_of_meshes, session, settings
+from . import curve_object, drawings, lengths, long_operator, operators_of_meshes, session, settings
 from .naming import named
 from .package import talweg
 
@@ -14,11 +14,11 @@ def _line(context, result, distance, count, made):
     """The report of a result as a sentence."""
     many = f"{count} distances up to " if count > 1 else ""
     return (f"{operators_of_meshes.counted(len(result.curves), 'curve')} at {many}"
-            f"{lengths.told(context, count * distance)} along the surface, length "
-            f"{lengths.told(context, result.total.length)}: {made.name}.")
+            f"{lengths.with_unit(context, count * distance)} along the surface, length "
+            f"{lengths.with_unit(context, result.total.length)}: {made.name}.")
 
 
-class TALWEG_OT_offset(beside.Beside, bpy.types.Operator):
+class TALWEG_OT_offset(long_operator.LongOperator, bpy.types.Operator):
     """Make curves at a distance from the selected curve objects, measured along the surface"""
 
     bl_idname = "talweg.offset"
@@ -48,8 +48,8 @@ class TALWEG_OT_offset(beside.Beside, bpy.types.Operator):
         curve_object.write_lines(made, place, result)
         place.know(made.name, result)
         warnings = [one for one in result.total.warnings if "moved onto the mesh" not in one]
-        told = _line(context, result, self.distance, self.count, made)
-        return told, [*drawing.warnings, *warnings]
+        message = _line(context, result, self.distance, self.count, made)
+        return message, [*drawing.warnings, *warnings]
 
     def draw(self, _context):
         self.layout.use_property_split = True

@@ -5,7 +5,7 @@ import re
 
 import bpy
 
-from . import colours, drawings, offers, outcomes, parameters, sentences, session, settings, strokes
+from . import colours, drawings, outcomes, parameters, repair_offers, sentences, session, settings, strokes
 from . import wrapped
 from .naming import named
 from .package import talweg
@@ -23,7 +23,7 @@ class _Smoothing:
 
         :param as_shown: use the mesh with its modifiers.
         """
-        told, first, later, wrong = [], [], [], []
+        done, first, later, wrong = [], [], [], []
         for obj in objects:
             label = f"{obj.name}: " if len(objects) > 1 else ""
             try:
@@ -31,22 +31,22 @@ class _Smoothing:
             except (talweg.Error, KeyboardInterrupt) as error:
                 wrong.append(label + (str(error) or "Interrupted."))
                 continue
-            told.append(label + one[0])
+            done.append(label + one[0])
             first += [label + warning for warning in one[1]]
             later += [label + warning for warning in one[2]]
-        self._first_of_all = [*wrong, *first] if told else []
-        if not told:
+        self._first_of_all = [*wrong, *first] if done else []
+        if not done:
             return self._refuse(context, wrong)
-        self._tell(" ".join(told), [*self._first_of_all, *later])
+        self._tell(" ".join(done), [*self._first_of_all, *later])
         return {"FINISHED"}
 
     def _refuse(self, context, wrong):
         """Reports errors. A user gets them at the mouse pointer, with an offer to repair the mesh if there is
         one; a script gets an error."""
-        offered = self._is_invoked and offers.is_for(context.object)
+        offered = self._is_invoked and repair_offers.is_for(context.object)
         self.report({"WARNING" if offered else "ERROR"}, " ".join(wrong))
         if offered:
-            offers.popup(context, context.object)
+            repair_offers.popup(context, context.object)
         return {"CANCELLED"}
 
     def _smooth_one(self, context, obj, drawing_on, as_shown):
@@ -62,8 +62,8 @@ class _Smoothing:
             with named(drawing.names):
                 made, warnings = outcomes.make(context, obj, place, drawing, result, self, as_shown)
         except talweg.BadMesh as error:
-            raise talweg.BadMesh(offers.note(obj, place, error, self.bl_idname)) from None
-        offers.forget(obj)
+            raise talweg.BadMesh(repair_offers.note(obj, place, error, self.bl_idname)) from None
+        repair_offers.forget(obj)
         self.scaled = "\n".join(sentences.of_scale(obj))
         return (f"{sentences.of_result(context, result)} {made}".strip(),
                 [*drawing.warnings, *sentences.of_object(obj, as_shown)],
@@ -89,11 +89,11 @@ class _Smoothing:
             finally:
                 manager.progress_end()
 
-    def _tell(self, told, warnings):
+    def _tell(self, done, warnings):
         """Reports the sentence and all warnings at once: of several reports the status bar shows only the
         last. The redo panel keeps the warnings."""
         self.warned = "\n".join(warnings)
-        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([done, *warnings]))
 
     def invoke(self, context, _event):
         """Executes; warnings to be read first are also shown in a menu at the mouse pointer."""

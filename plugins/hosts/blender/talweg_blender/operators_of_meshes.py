@@ -3,7 +3,7 @@ repair."""
 
 import bpy
 
-from . import beside, cutting, drawings, offers, session
+from . import cutting, drawings, long_operator, repair_offers, session
 from .naming import named
 from .package import talweg
 
@@ -39,7 +39,7 @@ def counted(count, word):
     return f"{count} {word}" + ("" if count == 1 else "s")
 
 
-class _OnMesh(beside.Beside):
+class _OnMesh(long_operator.LongOperator):
     """Base of the operators on the active mesh in object mode."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -150,7 +150,7 @@ class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
         obj.update_from_editmode()
         fixed, warnings = yield from cutting.repair(obj, drawings.MeshArrays(obj.data),
                                                    ",".join(steps))
-        offers.forget(obj)
+        repair_offers.forget(obj)
         return " ".join(fixed.changes) or "The mesh needs no repair.", warnings
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import last_report, offers, offsetting, operators, operators_of_meshes, page, resmoothing, session
+from . import last_report, offsetting, operators, operators_of_meshes, page, repair_offers, resmoothing, session
 from . import settings
 from .drawing_tool import tool
 
@@ -26,10 +26,10 @@ class VIEW3D_PT_talweg(bpy.types.Panel):
 
     def draw(self, context):
         obj = context.object
-        offers.draw(self.layout, obj)
-        told_of = obj if settings.is_kept(obj) else _last_curve(context)
-        if told_of is not None:
-            resmoothing.draw_decisive(self.layout, told_of)
+        repair_offers.draw(self.layout, obj)
+        reported = obj if settings.is_kept(obj) else _last_curve(context)
+        if reported is not None:
+            resmoothing.draw_decisive(self.layout, reported)
         if settings.is_kept(obj):
             _of_curve(self.layout, obj)
         elif obj is None or obj.type != "MESH":

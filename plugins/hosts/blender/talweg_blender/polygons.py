@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import sound
+from . import sound_polygons
 
 
 class Layout:
@@ -130,7 +130,7 @@ def _parts(made, polygon, touched, separators):
             found += _single(triangles, number)
         else:
             found += _joined(made.faces, triangles, separators, number)
-    return sound.without_repetitions(made, touched, found, _single)
+    return sound_polygons.without_repetitions(made, touched, found, _single)
 
 
 def _single(triangles, polygon):

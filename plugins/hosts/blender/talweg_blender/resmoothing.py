@@ -3,7 +3,7 @@ changes; the mesh gets no undo step."""
 
 import bpy
 
-from . import beside, colours, curve_object, lengths, outcomes, parameters, sentences, session, settings
+from . import colours, curve_object, lengths, long_operator, outcomes, parameters, sentences, session, settings
 from . import wrapped
 from .naming import named
 from .package import talweg
@@ -46,7 +46,7 @@ def _by_hand(context, curve):
         _wrong[curve.name] = str(error)
 
 
-class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
+class TALWEG_OT_to_mesh(long_operator.LongOperator, bpy.types.Operator):
     """Make the selected curve object edges of its mesh, mark them, or take the mesh apart"""
 
     bl_idname = "talweg.to_mesh"
@@ -68,8 +68,8 @@ class TALWEG_OT_to_mesh(beside.Beside, bpy.types.Operator):
             raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers; apply them "
                                   "first, and smooth again.")
         place, result = smooth(context, curve, trust=False)
-        told, warnings = yield from outcomes.of_mesh(context, obj, place, result, self.output)
-        return told or "Cut.", warnings
+        message, warnings = yield from outcomes.of_mesh(context, obj, place, result, self.output)
+        return message or "Cut.", warnings
 
 
 def numbers(context, curve):
@@ -97,7 +97,7 @@ def _colours(context, curve):
     """The legend of the colours: the values of the darkest and the brightest."""
     most = curve["talweg_range"]
     if settings.of(curve).colours == "DEVIATION":
-        return f"Dark to bright: 0 to {lengths.told(context, most)}"
+        return f"Dark to bright: 0 to {lengths.with_unit(context, most)}"
     return f"Dark to bright: 0 to {most:.3g} rad for each unit of length"
 
 

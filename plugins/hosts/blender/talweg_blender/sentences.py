@@ -28,8 +28,8 @@ def _apart(context, values):
     distance from the result to the drawing."""
     least = values.get("farthest", values["deviation_to_drawn_max"])
     most = values.get("farthest_at_most", least)
-    bound = f"no farther than {lengths.told(context, most)}"
-    return bound if math.isfinite(most) else f"at least {lengths.told(context, least)}"
+    bound = f"no farther than {lengths.with_unit(context, most)}"
+    return bound if math.isfinite(most) else f"at least {lengths.with_unit(context, least)}"
 
 
 def decisive_of(values):

@@ -133,7 +133,7 @@ def _read(one, same, surface, name):
         distance = surface.farthest(positions)
         if distance > surface.too_far:
             raise talweg.BadCurve(f"The mesh of {name} has changed: its drawing lies "
-                                  f"{surface.told(distance)}.")
+                                  f"{surface.distance_text(distance)}.")
     return talweg.Curve(positions=positions, closed=one["closed"], exact=exact)
 
 

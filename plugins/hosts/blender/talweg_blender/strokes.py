@@ -77,7 +77,7 @@ def drawing_of(items, surface, chosen):
             astray.append(f"{item.name} {reason}")
             continue
         if distance > surface.far:
-            warnings.append(f"{item.name} was drawn {surface.told(distance)}: if that is not meant, "
+            warnings.append(f"{item.name} was drawn {surface.distance_text(distance)}: if that is not meant, "
                             f"{MEND}.")
         curves.append(talweg.Curve(positions=points, closed=item.cyclic, exact=item.exact or None))
         names.append(item.name)
@@ -117,7 +117,7 @@ def _astray(points, closed, distance, surface):
         return f"has {counted} apart from each other, too few for a curve."
     if not np.isfinite(points).all():
         return "has a coordinate that is not finite."
-    return f"lies {surface.told(distance)}: {MEND}." if distance > surface.too_far else ""
+    return f"lies {surface.distance_text(distance)}: {MEND}." if distance > surface.too_far else ""
 
 
 def _listed(sentences):

@@ -104,9 +104,9 @@ class Surface:
         """A distance beyond which a drawing is refused on this surface."""
         return min(10 * self.edge, self.size / 8)
 
-    def told(self, distance):
+    def distance_text(self, distance):
         """The distance in scene units and in mean edges, as a text."""
-        return (f"up to {lengths.told(bpy.context, distance)} away from the mesh, "
+        return (f"up to {lengths.with_unit(bpy.context, distance)} away from the mesh, "
                 f"{lengths.number(distance / self.edge, 2)} mean edges")
 
 

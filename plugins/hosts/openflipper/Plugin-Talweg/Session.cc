@@ -463,7 +463,7 @@ bool Session::cut(bool select_inside) {
     for (const auto& chain : plan.chains) {
       for (const auto h : chain) mesh().status(mesh().edge_handle(h)).set_selected(true);
     }
-    go_over(plan);
+    move_drawing_to_cut_mesh(plan);
     host_.show_mesh(object_.id());
     host_.push_backup(object_.id(), "Cut");
     host_.say(QString("%1 is cut: %2 new vertices, %3 new faces.")
@@ -506,7 +506,7 @@ bool Session::offset(const Offset& how, std::vector<int>& lines) {
 
 /// Moves the drawing to the cut mesh. The history begins anew: earlier states belong to the mesh
 /// before the cut, and are restored with that mesh.
-void Session::go_over(const AppliedPlan& plan) {
+void Session::move_drawing_to_cut_mesh(const AppliedPlan& plan) {
   editing::Drawing there = drawing();
   for (auto& curve : there.curves) {
     auto moving = std::make_shared<editing::Curve>(*curve);
@@ -516,7 +516,7 @@ void Session::go_over(const AppliedPlan& plan) {
   others_.push_back(std::move(now_));
   if (others_.size() > 4) others_.erase(others_.begin());
   now_ = {arrays_of(mesh()), editing::Editor(std::move(there)), true};
-  mesh_is_another();
+  begin_on_other_mesh();
 }
 
 /// Restores the drawing of this mesh, if there was one.
@@ -525,13 +525,13 @@ bool Session::go_back_to(const editing::MeshArrays& mesh) {
                                   [&mesh](const OnMesh& other) { return *other.arrays == mesh; });
   if (other == others_.end()) return false;
   std::swap(now_, *other);
-  mesh_is_another();
+  begin_on_other_mesh();
   return true;
 }
 
 /// Replaces the drawing's line, which has the host's list for undo, so that the list begins anew,
 /// too.
-void Session::mesh_is_another() {
+void Session::begin_on_other_mesh() {
   const int before = line_.begin_anew(editor().history());
   if (before >= 0) to_remove_.push_back(before);
   host_.wake();

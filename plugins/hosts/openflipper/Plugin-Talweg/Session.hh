@@ -171,9 +171,9 @@ class Session {
   void show_drawing();
   void show_drawn();
   void require_results() const;
-  void go_over(const AppliedPlan& plan);
+  void move_drawing_to_cut_mesh(const AppliedPlan& plan);
   bool go_back_to(const editing::MeshArrays& mesh);
-  void mesh_is_another();
+  void begin_on_other_mesh();
   void remove_deleted();
 
   /// A drawing with its mesh.

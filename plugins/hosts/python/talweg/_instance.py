@@ -8,7 +8,7 @@ import weakref
 from ctypes import byref, c_void_p, sizeof
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from . import _arrays, _curves, _given, _interruptible, _results
+from . import _arrays, _curves, _result_checks, _interruptible, _results
 from . import _interface as c
 from ._curves import Curve
 from ._errors import BadUsage, Internal, Unsupported, error_of
@@ -59,7 +59,7 @@ class _Host:
 class _Collector:
     """The receiver of results: copies each part that the plugin passes to the sink."""
 
-    def __init__(self, plugin: str, limits: _given.Limits) -> None:
+    def __init__(self, plugin: str, limits: _result_checks.Limits) -> None:
         self._plugin = plugin
         self._limits = limits
         self.curves: List[Curve] = []
@@ -69,7 +69,7 @@ class _Collector:
         self.failure: Optional[BaseException] = None
 
     def _taken(self, take: Callable[[Any], None]) -> Callable[[Any, Any], int]:
-        checked = _given.guarded(self._plugin, take)
+        checked = _result_checks.guarded(self._plugin, take)
 
         def function(_context: Any, given: Any) -> int:
             if self.failure is not None:
@@ -84,19 +84,19 @@ class _Collector:
         return function
 
     def _curve(self, given: c.Curve) -> None:
-        self.curves.append(_given.check_curve(_curves.copied(given), self._limits))
+        self.curves.append(_result_checks.check_curve(_curves.copied(given), self._limits))
 
     def _field(self, given: c.Field) -> None:
         name = given.name.decode()
-        self.fields[name] = _given.check_field(name, _arrays.copied(given.values), self._limits)
+        self.fields[name] = _result_checks.check_field(name, _arrays.copied(given.values), self._limits)
 
     def _entry(self, given: c.ReportEntry) -> None:
-        _given.check_entry(given, max(len(self.curves), self._limits.curves))
+        _result_checks.check_entry(given, max(len(self.curves), self._limits.curves))
         self.entries.setdefault(given.curve, {})[given.key.decode()] = _results.value_of(given)
 
     def _mesh(self, given: c.Mesh) -> None:
         vertices, faces = _arrays.copied(given.positions), _arrays.copied_indices(given.triangles)
-        _given.check_mesh(vertices, faces)
+        _result_checks.check_mesh(vertices, faces)
         self.meshes.append((vertices, faces))
 
     def sink(self, point_fields: bool, vertex_fields: bool, meshes: bool) -> c.Sink:
@@ -124,7 +124,7 @@ class Instance:
         if status != c.OK:
             raise error_of(status, f"{plugin.id}: an instance could not be made.")
         self._calls: List[object] = []  # the running call first; later ones are about to be refused
-        self.limits = _given.Limits()
+        self.limits = _result_checks.Limits()
         self._given_up = False
         # The host's struct must outlive the instance, so the finalizer holds it.
         self._end = weakref.finalize(self, _destroy, plugin.table.destroy, self._handle, self._host)
@@ -137,7 +137,7 @@ class Instance:
                  progress: Optional[Progress]) -> None:
         mesh = c.Mesh(sizeof(c.Mesh), 0, _arrays.view(vertices), _arrays.view(faces))
         self._long(lambda: self.plugin.table.set_mesh(self._handle, byref(mesh)), progress)
-        self.limits = _given.Limits(len(vertices), len(faces))
+        self.limits = _result_checks.Limits(len(vertices), len(faces))
 
     def share_mesh(self, other: "Instance") -> None:
         self._short(lambda: self.plugin.table.share_mesh(self._handle, other._handle))
@@ -202,7 +202,7 @@ class Instance:
 
     def _take(self, ask: Any, mesh: int, kind: Any, take: Callable[[Any], None]) -> None:
         failures: List[BaseException] = []
-        checked = _given.guarded(self.plugin.id, take)
+        checked = _result_checks.guarded(self.plugin.id, take)
 
         def taken(_context: Any, given: Any) -> int:
             try:

@@ -7,7 +7,7 @@ from typing import Any, List, Mapping, Optional, Tuple
 
 import numpy as np
 
-from . import _arrays, _given
+from . import _arrays, _result_checks
 from ._carrying import Carrier
 from ._instance import Instance, Lists
 from ._mesh import Mesh
@@ -98,11 +98,11 @@ def _made(instance: Instance, carrier: Carrier, number: int, vertices: Array,
     return mesh
 
 
-def _origin_of(given: Any, limits: _given.Limits) -> Any:
+def _origin_of(given: Any, limits: _result_checks.Limits) -> Any:
     origin = Origin(_arrays.copied_indices(given.vertices).reshape(-1, 3),
                     _arrays.copied(given.weights).reshape(-1, 3),
                     _arrays.copied_indices(given.triangles))
-    _given.check_origin(origin, limits)
+    _result_checks.check_origin(origin, limits)
     closed, lengths = _arrays.copied(given.closed), _arrays.copied(given.lengths)
     rows = _arrays.copied_indices(given.chains).reshape(-1, 3)
     bounds = np.searchsorted(rows[:, 0], np.arange(given.curve_count + 1))

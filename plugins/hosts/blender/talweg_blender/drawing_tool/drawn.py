@@ -37,7 +37,7 @@ class Drawn:
         self.object_name = obj.name
         self.as_shown = as_shown
         self.error = ""  # of the last answer; empty: none
-        self.told = ""
+        self.summary = ""
         self.decisive = ""  # the decisive warnings of the result, by which it may be of no use
         self.result = None
         ground = Ground(self.place, self._shown)
@@ -102,7 +102,7 @@ class Drawn:
                               self.work.is_dragging, of_lines))
 
     def _empty(self):
-        self.result, self.error, self.told, self.decisive = None, "", "", ""
+        self.result, self.error, self.summary, self.decisive = None, "", "", ""
         self.work.show([], [])
         self.curve.data.splines.clear()
         self.curve.pop("talweg_report", None)
@@ -127,7 +127,7 @@ class Drawn:
         with settings.quietly():
             parameters.show_used(settings.of(self.curve), answer.result.total)
         curve_object.write(self.curve, self.place, answer.result)
-        self.told = sentences.of_result(bpy.context, answer.result)
+        self.summary = sentences.of_result(bpy.context, answer.result)
         self.decisive = " ".join(answer.result.total.decisive)
         return True
 
@@ -155,12 +155,12 @@ class Drawn:
                     *sentences.others_of(vars(self.result.total))]
         if self.output == "CURVE":
             self.close()
-            return f"{self.told} Curve: {curve.name}.", warnings
+            return f"{self.summary} Curve: {curve.name}.", warnings
         with named([curve.name]):
-            told, more = jobs.now(outcomes.of_mesh(context, obj, self.place, self.result, self.output))
+            message, more = jobs.now(outcomes.of_mesh(context, obj, self.place, self.result, self.output))
         self.close()
         _remove(curve)
-        return f"{self.told} {told}".strip(), warnings + more
+        return f"{self.summary} {message}".strip(), warnings + more
 
     def drop(self):
         """Ends without a result: an edited curve object gets its earlier values, a new one is removed."""

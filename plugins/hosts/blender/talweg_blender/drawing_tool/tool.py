@@ -5,7 +5,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-from .. import offers, outcomes, session, settings
+from .. import outcomes, repair_offers, session, settings
 from ..package import talweg
 from .drawn import Drawn
 from .overlay import Overlay
@@ -52,7 +52,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
             self._drawn = Drawn(context, obj, curve, "CURVE" if curve else self.output, self.repair)
         except (talweg.Error, KeyboardInterrupt) as error:
             return self._refuse(context, obj, error, event)
-        offers.forget(obj)
+        repair_offers.forget(obj)
         self._area, self._ended = context.area, False
         self._region = next(one for one in context.area.regions if one.type == "WINDOW")
         if self._begins_beside(event):
@@ -74,13 +74,13 @@ class TALWEG_OT_draw(bpy.types.Operator):
 
     def _refuse(self, context, obj, error, event):
         if isinstance(error, talweg.BadMesh):
-            error = offers.note(obj, session.surface_of(context, obj, True, trust=True), error, self.bl_idname)
-        if not offers.is_for(obj):
+            error = repair_offers.note(obj, session.surface_of(context, obj, True, trust=True), error, self.bl_idname)
+        if not repair_offers.is_for(obj):
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"CANCELLED"}
         self.report({"WARNING"}, str(error))
         if event.type != "LEFTMOUSE":
-            offers.popup(context, obj)
+            repair_offers.popup(context, obj)
             return {"CANCELLED"}
         self._refused = obj  # a menu that opens under a pressed button would take the release as its click
         context.window_manager.modal_handler_add(self)
@@ -91,7 +91,7 @@ class TALWEG_OT_draw(bpy.types.Operator):
     def modal(self, context, event):
         if self._refused is not None:
             if event.type == "LEFTMOUSE" and event.value == "RELEASE":
-                offers.popup(context, self._refused)
+                repair_offers.popup(context, self._refused)
                 return {"CANCELLED"}
             return {"RUNNING_MODAL"}
         if not self._drawn.is_there:
@@ -188,22 +188,22 @@ class TALWEG_OT_draw(bpy.types.Operator):
     def _tell(self):
         drawn = self._drawn
         tau = drawn.work.editor.state.tau
-        told = drawn.error or f"{drawn.decisive} {drawn.told}".strip() or "Click way-points, or draw on the surface."
+        message = drawn.error or f"{drawn.decisive} {drawn.summary}".strip() or "Click way-points, or draw on the surface."
         waits = "   ..." if drawn.live.is_busy else ""
-        self._area.header_text_set(f"Talweg   tau {tau:.3g}   {told}{waits}")
+        self._area.header_text_set(f"Talweg   tau {tau:.3g}   {message}{waits}")
         self._area.tag_redraw()
 
     # ---- The end.
 
     def _finish(self, context, else_drop=False):
         try:
-            told, warnings = self._drawn.finish(context)
+            message, warnings = self._drawn.finish(context)
         except (talweg.Error, KeyboardInterrupt) as error:
             if else_drop:
                 return self._end(context, self._drawn.drop, {"CANCELLED"})
             self.report({"ERROR"}, str(error) or "Interrupted.")
             return {"RUNNING_MODAL"}
-        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([told, *warnings]))
+        self.report({"WARNING"} if warnings else {"INFO"}, " ".join([message, *warnings]))
         return self._end(context, lambda: None, {"FINISHED"})
 
     def _end(self, context, last, outcome):

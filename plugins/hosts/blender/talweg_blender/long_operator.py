@@ -10,7 +10,7 @@ from .package import talweg
 _NAVIGATION = ("MIDDLEMOUSE", "WHEELUPMOUSE", "WHEELDOWNMOUSE", "MOUSEMOVE", "TRACKPADPAN", "TRACKPADZOOM")
 
 
-class Beside:
+class LongOperator:
     """Base of operators with long work.
 
     A press of a button starts a job and waits a moment for it, so that a short job needs no modal phase.
@@ -27,7 +27,7 @@ class Beside:
     def invoke(self, context, _event):
         if bpy.app.background or context.window is None:
             return self.execute(context)
-        self._timer, self._told, obj = None, "", self.subject(context)
+        self._timer, self._status, obj = None, "", self.subject(context)
         self._name = obj.name
         self._steps = self.steps(context, obj)
         try:
@@ -51,9 +51,9 @@ class Beside:
             return {"PASS_THROUGH"} if event.type in _NAVIGATION else {"RUNNING_MODAL"}
         if self._job.is_done():
             return self._finish(context)
-        line = f"{self.bl_label}: {self._job.told}   |   Esc: stop"
-        if line != self._told:  # each text causes a redraw
-            self._told = line
+        line = f"{self.bl_label}: {self._job.status}   |   Esc: stop"
+        if line != self._status:  # each text causes a redraw
+            self._status = line
             context.workspace.status_text_set(line)
         return {"RUNNING_MODAL"}
 
@@ -72,7 +72,7 @@ class Beside:
         self._clear(context)
         if self._watched.has_changed:  # changed in another window, or by a script
             return self._refused("The mesh was changed meanwhile; try again.")
-        return self._reported(self._name, lambda: jobs.after(self._steps, self._job.given))
+        return self._reported(self._name, lambda: jobs.after(self._steps, self._job.result))
 
     def _refused(self, error):
         self.report({"ERROR"}, str(error) or "Interrupted.")

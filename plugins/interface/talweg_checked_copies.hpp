@@ -125,7 +125,7 @@ inline std::vector<Field> copy(const talweg_field* const* fields, std::uint32_t 
   return result;
 }
 
-inline Field given(const talweg_field& field, const Limits& limits) {
+inline Field checked_copy(const talweg_field& field, const Limits& limits) {
   Field result = copy(field);
   if (result.values.size() != limits.triangles) {
     check_rows(result.values.size(), static_cast<std::size_t>(limits.vertices),
@@ -151,7 +151,7 @@ inline Curve copy(const talweg_curve& curve) {
   return result;
 }
 
-inline Curve given(const talweg_curve& curve, const Limits& limits) {
+inline Curve checked_copy(const talweg_curve& curve, const Limits& limits) {
   Curve result = copy(curve);
   const std::size_t points = result.faces.size();
   if (points == 0) nonsense("A curve", "has no points");
@@ -182,14 +182,14 @@ inline Mesh copy(const talweg_mesh& mesh) {
   return result;
 }
 
-inline Mesh given(const talweg_mesh& mesh, const Limits& /*limits*/) {
+inline Mesh checked_copy(const talweg_mesh& mesh, const Limits& /*limits*/) {
   Mesh result = copy(mesh);
   check_finite(result.positions, "A mesh's list of positions");
   check_indices(result.triangles, result.positions.size(), "A mesh's list of triangles");
   return result;
 }
 
-inline ReportEntry given(const talweg_report_entry& entry, const Limits& limits) {
+inline ReportEntry checked_copy(const talweg_report_entry& entry, const Limits& limits) {
   ReportEntry result{entry.curve, text_of(entry.key, "A key of the report"),
                      entry.type,  entry.is_list != 0,
                      {},          {}};
@@ -223,7 +223,7 @@ inline Attribute copy(const talweg_attribute& attribute) {
           attribute.values.type};
 }
 
-inline Attribute given(const talweg_attribute& attribute, const Limits& /*limits*/) {
+inline Attribute checked_copy(const talweg_attribute& attribute, const Limits& /*limits*/) {
   return copy(attribute);
 }
 
@@ -237,7 +237,7 @@ inline std::uint64_t check_chains(const std::vector<std::uint32_t>& closed,
   return sum;
 }
 
-inline Origin given(const talweg_origin& origin, const Limits& limits) {
+inline Origin checked_copy(const talweg_origin& origin, const Limits& limits) {
   Origin result{triples_of(origin.vertices),   rows_of<3>(origin.weights, "The weights"),
                 vertices_of(origin.triangles), vertices_of(origin.closed),
                 vertices_of(origin.lengths),   triples_of(origin.chains)};
@@ -255,7 +255,7 @@ inline Origin given(const talweg_origin& origin, const Limits& limits) {
   return result;
 }
 
-inline CutPlan given(const talweg_cut_plan& plan, const Limits& limits) {
+inline CutPlan checked_copy(const talweg_cut_plan& plan, const Limits& limits) {
   CutPlan result{plan.vertex_count,
                  plan.triangle_count,
                  triples_of(plan.vertices),

@@ -1,5 +1,5 @@
-// Taken points are the way-points and painted points of a drawing after the user's choice of
-// meaning.
+// Marked points are the points of a drawing that have a mark (point_marks.hpp): way-points and
+// painted points.
 #pragma once
 
 #include <span>
@@ -12,36 +12,39 @@
 
 namespace talweg {
 
+/// The user's choice of the points that are way-points.
 enum class PointMeaning {
   kGiven,  ///< as the drawing says; other points are a stroke
   kExact,  ///< in curves without way-points, all points but painted ones are way-points
   kRough,  ///< all points are a stroke
 };
 
-struct PointsTaken {
+/// How the points of a drawing are read.
+struct PointOptions {
   PointMeaning meaning = PointMeaning::kGiven;
   std::vector<SurfacePoint> exact;  ///< unless empty, the only way-points
   double tolerance = 0;             ///< mesh units: of way-points whose own tolerance is 0
 };
 
 /// Points of the drawn curves.
-struct TakenPoints {
+struct MarkedPoints {
   std::vector<WayPoint> way_points;
   std::vector<SurfacePoint> painted;
 
-  bool operator==(const TakenPoints&) const = default;
+  bool operator==(const MarkedPoints&) const = default;
 };
-/// O(points).
-TakenPoints take_points(const SnappedDrawing& drawing, const PointsTaken& taken);
+/// The marked points of a drawing as the options say. O(points).
+MarkedPoints marked_points(const SnappedDrawing& drawing, const PointOptions& options);
 /// The way-points and painted points of a curve from its marks (point_marks.hpp), one for each
 /// point or none; and the marks from these points. O(points).
-TakenPoints points_marked(const SurfaceCurve& curve, std::span<const double> marks);
-std::vector<double> marks_of_points(const SurfaceCurve& curve, const TakenPoints& points);
-/// Sentences on control points that were taken as a stroke.
-std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing, const PointsTaken& taken);
+MarkedPoints marked_points(const SurfaceCurve& curve, std::span<const double> marks);
+std::vector<double> marks_of_points(const SurfaceCurve& curve, const MarkedPoints& points);
+/// Sentences on control points that are read as a stroke.
+std::vector<std::string> stroke_warnings(const SnappedDrawing& drawing,
+                                         const PointOptions& options);
 
 /// Whether all stretches of the curves are legs (DrawnLegs). Costs legs_of() for each curve up to
 /// the first that has a stroke.
-bool only_way_points(std::span<const SurfaceCurve> curves, const TakenPoints& points);
+bool only_way_points(std::span<const SurfaceCurve> curves, const MarkedPoints& points);
 
 }  // namespace talweg

@@ -24,8 +24,8 @@ def is_for(obj):
 
 def _steps(place):
     """The steps of a repair that makes the mesh a surface, in words; empty if there is none."""
-    told = talweg.inspect((place.arrays.vertices, place.arrays.triangles))
-    return told["repair_steps"].replace(",", ", ") if told["verdict"] == "repairable" else ""
+    found = talweg.inspect((place.arrays.vertices, place.arrays.triangles))
+    return found["repair_steps"].replace(",", ", ") if found["verdict"] == "repairable" else ""
 
 
 def note(obj, place, error, operator):

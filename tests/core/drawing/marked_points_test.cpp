@@ -1,5 +1,5 @@
 // The meaning of the points of a drawing follows from the drawing, or from the user.
-#include "talweg/core/drawing/taken_points.hpp"
+#include "talweg/core/drawing/marked_points.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@
 namespace talweg {
 namespace {
 
-class TakenPointsTest : public testing::Test {
+class MarkedPointsTest : public testing::Test {
  protected:
   /// Vertices along the lowest row.
   static CurveInput row(std::initializer_list<std::uint32_t> ids) {
@@ -50,51 +50,51 @@ class TakenPointsTest : public testing::Test {
   static constexpr double kEdge = (1 + 1 + std::numbers::sqrt2) / 3;  // mean edge length
 };
 
-TEST_F(TakenPointsTest, FollowTheMarksOfTheDrawing) {
+TEST_F(MarkedPointsTest, FollowTheMarksOfTheDrawing) {
   CurveInput named = row({0, 1, 2, 3}), other = row({10, 11, 12});
   named.way_points = {{0, 0}, {3, 0.25}};
   named.painted = {1};
   const SnappedDrawing drawn = drawing({named, other});
 
-  TakenPoints taken = take_points(drawn, {});
-  EXPECT_EQ(points_of(taken.way_points), (std::vector{at(0), at(3)}));
-  EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
-  EXPECT_EQ(taken.painted, std::vector{at(1)});
+  MarkedPoints marked = marked_points(drawn, {});
+  EXPECT_EQ(points_of(marked.way_points), (std::vector{at(0), at(3)}));
+  EXPECT_EQ(marked.way_points[1].tolerance, 0.25);
+  EXPECT_EQ(marked.painted, std::vector{at(1)});
 
   // A curve that names way-points keeps them; all points of the other curve become way-points.
-  taken = take_points(drawn, {PointMeaning::kExact, {}, 0});
-  EXPECT_EQ(points_of(taken.way_points), (std::vector{at(0), at(3), at(10), at(11), at(12)}));
+  marked = marked_points(drawn, {PointMeaning::kExact, {}, 0});
+  EXPECT_EQ(points_of(marked.way_points), (std::vector{at(0), at(3), at(10), at(11), at(12)}));
 
-  taken = take_points(drawn, {PointMeaning::kRough, {}, 0});
-  EXPECT_TRUE(taken.way_points.empty());
-  EXPECT_TRUE(taken.painted.empty());
+  marked = marked_points(drawn, {PointMeaning::kRough, {}, 0});
+  EXPECT_TRUE(marked.way_points.empty());
+  EXPECT_TRUE(marked.painted.empty());
 
-  taken = take_points(drawn, {PointMeaning::kGiven, {at(2)}, 0.5});
-  EXPECT_EQ(points_of(taken.way_points), std::vector{at(2)});
-  EXPECT_EQ(taken.way_points[0].tolerance, 0.5);
+  marked = marked_points(drawn, {PointMeaning::kGiven, {at(2)}, 0.5});
+  EXPECT_EQ(points_of(marked.way_points), std::vector{at(2)});
+  EXPECT_EQ(marked.way_points[0].tolerance, 0.5);
 }
 
-TEST_F(TakenPointsTest, TheToleranceAppliesToWayPointsWithoutATolerance) {
+TEST_F(MarkedPointsTest, TheToleranceAppliesToWayPointsWithoutATolerance) {
   CurveInput named = row({0, 1, 2, 3});
   named.way_points = {{0, 0}, {3, 0.25}};
-  const TakenPoints taken = take_points(drawing({named}), {PointMeaning::kGiven, {}, 0.5});
-  EXPECT_EQ(taken.way_points[0].tolerance, 0.5);
-  EXPECT_EQ(taken.way_points[1].tolerance, 0.25);
+  const MarkedPoints marked = marked_points(drawing({named}), {PointMeaning::kGiven, {}, 0.5});
+  EXPECT_EQ(marked.way_points[0].tolerance, 0.5);
+  EXPECT_EQ(marked.way_points[1].tolerance, 0.25);
 }
 
-TEST_F(TakenPointsTest, ExactLeavesOutPaintedPoints) {
+TEST_F(MarkedPointsTest, ExactLeavesOutPaintedPoints) {
   CurveInput painted = row({0, 1, 2, 3, 4});
   painted.painted = {1, 3};
-  const TakenPoints taken = take_points(drawing({painted}), {PointMeaning::kExact, {}, 0});
-  EXPECT_EQ(points_of(taken.way_points), (std::vector{at(0), at(2), at(4)}));
+  const MarkedPoints marked = marked_points(drawing({painted}), {PointMeaning::kExact, {}, 0});
+  EXPECT_EQ(points_of(marked.way_points), (std::vector{at(0), at(2), at(4)}));
 }
 
-TEST_F(TakenPointsTest, ADrawingIsFreeIfAllOfItLiesBetweenWayPoints) {
+TEST_F(MarkedPointsTest, ADrawingIsFreeIfAllOfItLiesBetweenWayPoints) {
   CurveInput legs = row({0, 1, 2, 3}), stroke = row({10, 11, 12});
   legs.way_points = {{0, 0}, {3, 0}};
   const auto is_free = [&](const std::vector<CurveInput>& curves) {
     const SnappedDrawing drawn = drawing(curves);
-    return only_way_points(drawn.curves, take_points(drawn, {}));
+    return only_way_points(drawn.curves, marked_points(drawn, {}));
   };
   EXPECT_TRUE(is_free({legs}));
   EXPECT_FALSE(is_free({legs, stroke}));
@@ -103,7 +103,7 @@ TEST_F(TakenPointsTest, ADrawingIsFreeIfAllOfItLiesBetweenWayPoints) {
   EXPECT_FALSE(is_free({stroke}));
 }
 
-TEST_F(TakenPointsTest, CoincidingPointsCombineTheirMarks) {
+TEST_F(MarkedPointsTest, CoincidingPointsCombineTheirMarks) {
   CurveInput curve;
   curve.points = std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}, {2, 0, 0}, {4, 0, 0}};
   curve.way_points = {{0, 0.5}, {1, 0.25}};
@@ -116,7 +116,7 @@ TEST_F(TakenPointsTest, CoincidingPointsCombineTheirMarks) {
   EXPECT_EQ(snapped.painted, std::vector<std::size_t>{1});  // a way-point is not painted
 }
 
-TEST_F(TakenPointsTest, MarksOfMissingPointsAreRefused) {
+TEST_F(MarkedPointsTest, MarksOfMissingPointsAreRefused) {
   const auto sentence = [&](const CurveInput& curve) {
     try {
       snap(mesh, curve);
@@ -138,7 +138,7 @@ TEST_F(TakenPointsTest, MarksOfMissingPointsAreRefused) {
   EXPECT_NE(sentence(curve).find("no point 9 to be painted"), std::string::npos);
 }
 
-TEST_F(TakenPointsTest, FewControlPointsFarApartAreWayPoints) {
+TEST_F(MarkedPointsTest, FewControlPointsFarApartAreWayPoints) {
   for (const auto& [count, apart] :
        {std::pair{5, 3.0}, {2, 10.0}, {200, 2.4}, {10, 2.01 * kEdge}}) {
     const SnappedCurve snapped = snap(mesh, controls(static_cast<std::size_t>(count), apart));
@@ -147,8 +147,8 @@ TEST_F(TakenPointsTest, FewControlPointsFarApartAreWayPoints) {
   }
 }
 
-TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
-  const auto warnings = [&](const CurveInput& curve, const PointsTaken& how = {}) {
+TEST_F(MarkedPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
+  const auto warnings = [&](const CurveInput& curve, const PointOptions& how = {}) {
     const SnappedDrawing drawn = drawing({curve});
     EXPECT_TRUE(drawn.way_points.empty());
     return stroke_warnings(drawn, how);
@@ -158,16 +158,16 @@ TEST_F(TakenPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
   EXPECT_NE(many[0].find("has 201 control points; more than 200"), std::string::npos) << many[0];
   const auto dense = warnings(controls(10, 1.98 * kEdge));
   ASSERT_EQ(dense.size(), 1U);
-  EXPECT_NE(dense[0].find("closer than 2 they are taken as a stroke"), std::string::npos)
+  EXPECT_NE(dense[0].find("closer than 2 they are marked as a stroke"), std::string::npos)
       << dense[0];
   // A meaning given by the user needs no warning.
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kExact, {}, 0}).empty());
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kRough, {}, 0}).empty());
 }
 
-TEST_F(TakenPointsTest, ManyControlPointsCanBeMadeExact) {
+TEST_F(MarkedPointsTest, ManyControlPointsCanBeMadeExact) {
   const SnappedDrawing drawn = drawing({controls(201, 2.4)});
-  EXPECT_EQ(take_points(drawn, {PointMeaning::kExact, {}, 0}).way_points.size(), 201U);
+  EXPECT_EQ(marked_points(drawn, {PointMeaning::kExact, {}, 0}).way_points.size(), 201U);
 }
 
 }  // namespace
