@@ -105,7 +105,7 @@ class Survival(test_pieces.Dressed):
         self.obj.data.attributes.new("Note", "STRING", "POINT")
         arrays = drawings.MeshArrays(self.obj.data)
         self.assertEqual(jobs.now(cutting.repair(self.obj, arrays, "drop"))[1],
-                         ["Lost are the string attribute Note."])
+                         ["The changed mesh could not keep the string attribute Note; Ctrl Z brings it back."])
 
 
 def tilted(mesh):

@@ -34,7 +34,7 @@ def warnings(obj, lost):
     others = others_with_mesh(obj)
     verb = "shows" if len(others) == 1 else "show"
     found = [f"{_listed(others)} {verb} the same mesh and changed, too."] if others else []
-    return found + ([f"Lost are {', '.join(lost)}."] if lost else [])
+    return found + ([f"The changed mesh could not keep {', '.join(lost)}; Ctrl Z brings it back."] if lost else [])
 
 
 def _listed(objects):

@@ -553,7 +553,9 @@ void Session::mesh_updated() {
   open();
   host_.warn(QString("%1 has changed and is opened again.").arg(name_));
   if (!same_faces) {
-    host_.warn(QString("Its faces are others now: the drawing on it is gone."));
+    host_.warn(QString("The drawing on %1 was removed, because the mesh has other faces now: draw "
+                       "again.")
+                   .arg(name_));
     edit([](editing::Editor& editor) { editor.clear(); });
     return;
   }

@@ -354,7 +354,8 @@ Vector TalwegPlugin::largest(int meshId, QString what) {
   const auto at = names.indexOf(what);
   const double none = std::nan("");
   if (session == nullptr || at < 0) {
-    warn(tr("What is largest is: %1.").arg(names.join(", ")));
+    warn(tr("largest() takes the id of a mesh with a drawing, and one of: %1.")
+             .arg(names.join(", ")));
     return Vector(none, none, none);
   }
   session->wait();

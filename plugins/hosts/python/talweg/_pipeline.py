@@ -81,7 +81,7 @@ class Cut:
     def mesh(self) -> MadeMesh:
         """The only mesh. :raises BadUsage: if there are several meshes, or none."""
         if len(self.meshes) != 1:
-            raise BadUsage(f"There are {len(self.meshes)} meshes; ask for .meshes.")
+            raise BadUsage(f"The cut has {len(self.meshes)} meshes, so it has no .mesh; .meshes lists them.")
         return self.meshes[0]
 
 

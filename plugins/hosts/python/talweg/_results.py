@@ -156,7 +156,7 @@ class Result:
     def curve(self) -> Curve:
         """The only curve. :raises BadUsage: if there are several curves."""
         if len(self.curves) != 1:
-            raise BadUsage(f"There are {len(self.curves)} curves; ask for .curves.")
+            raise BadUsage(f"The result has {len(self.curves)} curves, so it has no .curve; .curves lists them.")
         return self.curves[0]
 
     @property

@@ -1,4 +1,5 @@
 // Cuts the mesh along the smoothed curves, and keeps single parts.
+import { countText } from '../state/numbers';
 import type { Desk } from './desk';
 import type { DrawingWork } from './drawing_work';
 
@@ -16,8 +17,10 @@ export class CutWork {
     if (!cut || store.now.drawing !== drawing) return;
     this.alongOffset = alongOffset;
     store.set({ cut, kept: null, leg: null });
-    const parts = cut.parts === 1 ? 'The curves do not take the mesh apart.' : `${cut.parts} parts.`;
-    this.desk.tell([parts, ...cut.notes].join(' '));
+    const parts = cut.parts === 1 ? 'The curves do not take the mesh apart.'
+      : `The mesh is cut into ${countText(cut.parts)} parts.`;
+    const listed = store.now.mesh?.info.repaired?.changes ?? [];  // they stand beside the mesh already
+    this.desk.tell([parts, ...cut.notes.filter((note) => !listed.includes(note))].join(' '));
   }
 
   /** Shows all parts of the last cut again. */

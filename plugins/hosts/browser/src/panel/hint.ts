@@ -86,7 +86,7 @@ function hintOf(state: State): string {
     return `Point ${chosen.point + 1} of ${nameOf(drawing.curves[chosen.curve])}.`;
   }
   if (drawing.curves.length > 0) return words.another;
-  return mesh.info.weld && !mesh.info.repaired ? 'Parts of this mesh only lie beside each other: Repair would weld them.'
+  return mesh.info.weld && !mesh.info.repaired ? 'Parts of this mesh meet without sharing vertices. “Repair” welds them.'
     : words.begin;
 }
 

@@ -7,7 +7,7 @@ export function planned(sentence: string): string {
   return sentence.replace(/^Repair: /, '')
     .replace(/ (?:was|were) /, ' would be ')
     .replace(/ (?:has|have) no area any more/, ' would have no area any more')
-    .replace(/, (\d+) were added/, ', $1 would be added')
+    .replace(/, ([\d,]+) (?:was|were) added/, ', $1 would be added')
     .replace(/ stay apart/, ' would stay apart');
 }
 
@@ -36,7 +36,7 @@ export function repairWords(info: MeshInfo, unit: string): { why: string; items:
     return { why: repair.length > 0 ? `${defects} Repair would do this:` : defects, items: repair.map(planned) };
   }
   return weld && {
-    why: 'Parts of the mesh only lie beside each other, and no curve gets from one to the next. Repair would do this:',
+    why: 'Parts of the mesh meet without sharing vertices, so no curve gets from one to the next. Repair would do this:',
     items: [weldWords(weld, unit)],
   };
 }

@@ -566,8 +566,8 @@
         <translation>Farben sind: %1.</translation>
     </message>
     <message>
-        <source>What is largest is: %1.</source>
-        <translation>Am größten sein kann: %1.</translation>
+        <source>largest() takes the id of a mesh with a drawing, and one of: %1.</source>
+        <translation>largest() erwartet die Nummer eines Netzes mit einer Zeichnung und eines von: %1.</translation>
     </message>
     <message>
         <source>Draws curves on meshes and smooths them while they stay close to the drawing.</source>

@@ -1,0 +1,26 @@
+# Checks that each format of meshes has its row on the page about formats, and that the page in a browser offers
+# its files.
+
+# check_formats(PROBLEMS): PROBLEMS is a list variable that is appended to.
+function(check_formats problems_variable)
+  file(READ ${PROJECT_SOURCE_DIR}/core/io/mesh_reader.cpp reader)
+  file(READ ${PROJECT_SOURCE_DIR}/docs/meshes.md page)
+  file(READ ${PROJECT_SOURCE_DIR}/plugins/hosts/browser/src/panel/files_panel.ts panel)
+  string(REGEX MATCHALL "Format{\"[.][a-z0-9]+\"" formats "${reader}")
+  set(problems ${${problems_variable}})
+  if(NOT formats)
+    list(APPEND problems "core/io/mesh_reader.cpp: no formats are found")
+  endif()
+  foreach(format ${formats})
+    string(REGEX REPLACE ".*\"(.*)\"" "\\1" ending "${format}")
+    string(FIND "${page}" "`${ending}`" on_page)
+    string(FIND "${panel}" "${ending}," in_panel)
+    if(on_page EQUAL -1)
+      list(APPEND problems "docs/meshes.md: the format ${ending} is missing")
+    endif()
+    if(in_panel EQUAL -1)
+      list(APPEND problems "files_panel.ts: the format ${ending} is missing")
+    endif()
+  endforeach()
+  set(${problems_variable} ${problems} PARENT_SCOPE)
+endfunction()
