@@ -100,10 +100,8 @@ int run(const std::vector<std::string>& words) {
   check_values(app, arguments);
   // An unknown word is reported before the missing word that it was meant to be.
   const auto check_all_taken = [&app] {
-    for (const std::string& extra :
-         app.remaining(!app.got_subcommand("run"))) {  // `run` parses the rest
-      refuse_unexpected(app, extra);
-    }
+    const bool with_subcommands = !app.got_subcommand("run");  // `run` parses its own words
+    for (const std::string& extra : app.remaining(with_subcommands)) refuse_unexpected(app, extra);
   };
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -89,15 +89,15 @@ def read_curves(path: Path, mesh_unit: Optional[str] = None, *,
 
     sink = c.Sink(size=sizeof(c.Sink), curve=c.CurveSink(take))
     try:
-        told = checked(lambda message: _extension().read(
+        notes = checked(lambda message: _extension().read(
             os.fsencode(path), _frame(mesh_unit, mesh), _mesh_view(mesh), byref(sink), message,
             _MESSAGE_SIZE))
     except Exception:
         if failures:
             raise failures[0] from None
         raise
-    if told:
-        _log.warning("%s", told)
+    if notes:
+        _log.warning("%s", notes)
     return curves
 
 

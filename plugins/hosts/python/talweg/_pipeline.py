@@ -262,9 +262,9 @@ def inspect(mesh: Any, *, progress: Any = None) -> Tree:
     :returns: the entries of ``talweg info --json``: "verdict" ("usable", "repairable", ...), "reason",
         "repair_steps", "defects", "components", "edge_length_mean", ...
     """
-    told = tree_of(_inspected(mesh, {"repair": False}, progress)[0].total)
-    del told["warnings"]  # an inspection gives none
-    return told
+    found = tree_of(_inspected(mesh, {"repair": False}, progress)[0].total)
+    del found["warnings"]  # an inspection gives none
+    return found
 
 
 def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
