@@ -1,7 +1,7 @@
 // talweg.wasm: calls by name, with arguments and answers in JSON and arrays of numbers beside them
 // (engine/calls.cpp). The page and the npm package load it in ways of their own.
 
-/** What talweg.js, written by the compiler, makes. */
+/** The object that talweg.js, written by the compiler, makes. */
 export interface Talweg {
   HEAPU8: Uint8Array;
   _malloc(bytes: number): number;
@@ -16,7 +16,7 @@ export interface Talweg {
   lengthBytesUTF8(text: string): number;
 }
 
-/** An error that the engine told; the message is a sentence, the status a `talweg_status`. */
+/** An error that the engine has told; the message is a sentence, the status a `talweg_status`. */
 export class EngineError extends Error {
   constructor(sentence: string, readonly status: number) { super(sentence); }
 }
