@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # release.sh OUT: everything that is given away, in OUT/out: wheels, source distribution, archives and Blender
 # add-ons, for Linux and (where mingw-w64's g++ is) for Windows, ParaView plugin and Debian packages (for the
-# ParaView and the Debian that are here), the page (where ./run page has made it), sources of the OpenFlipper
-# plugin; SHA256 sums, an SPDX list, notes.
+# ParaView and the Debian that are here), the page and the npm package (where ./run page has made them), sources
+# of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes.
 # release.sh OUT windows: only the files for Windows, beside the files in OUT/out.
 # release.sh OUT arm64: wheel and archive for 64-bit ARM, cross compiled, beside the files in OUT/out.
 # Two runs give the same bytes. Needs apt and the network for the first run, g++-12, cmake, ninja,
@@ -161,6 +161,17 @@ page() {
   python3 "$here/same_zip.py" "$work/talweg-page-$version" "$out/talweg-page-$version.zip" "$SOURCE_DATE_EPOCH"
 }
 
+npm_package() { # WebAssembly for Node and browsers; npm packs the same files into the same bytes
+  if [[ ! -e $project/build/npm/package.json ]] || ! command -v npm >/dev/null; then
+    echo "No npm package: ./run page has not been run, or there is no npm"
+    return 0
+  fi
+  rm -rf "$work/npm"
+  mkdir "$work/npm"
+  npm pack --silent --pack-destination "$work/npm" "$project/build/npm" >/dev/null
+  mv "$work/npm/talweg-$version.tgz" "$out/talweg-npm-$version.tgz"
+}
+
 notes() { # the newest part of the changelog
   awk '/^## /{ if (seen++) exit } seen' "$project/CHANGELOG.md" >"$out/NOTES.md"
 }
@@ -168,7 +179,7 @@ notes() { # the newest part of the changelog
 listed() { # the parts of each file, and checksums
   local list=talweg-$version.spdx.json root=$work/sysroot-$1
   (cd "$out" && rm -f SHA256SUMS "$list" && shopt -s nullglob &&
-    python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$root" ./*.{whl,tar.gz,zip,deb} >"$work/$list" &&
+    python3 "$here/spdx.py" "$version" "$SOURCE_DATE_EPOCH" "$root" ./*.{whl,tar.gz,tgz,zip,deb} >"$work/$list" &&
     mv "$work/$list" . && sha256sum -- * >SHA256SUMS && ls -l)
 }
 
@@ -195,5 +206,6 @@ if has_mingw; then windows; else echo "No files for Windows: there is no g++-min
 paraview
 debian
 page
+npm_package
 notes
 listed x86_64

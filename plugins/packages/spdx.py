@@ -48,13 +48,16 @@ PLUGINS = ["g++-12", *HEADERS, "libfmt-dev", "libpugixml-dev", "libgcc-10-dev", 
 PROGRAM = ["libcli11-dev", "libxxhash-dev"]
 WINDOWS = ["gcc-mingw-w64-x86-64-posix-runtime", "mingw-w64-x86-64-dev", *HEADERS, "libfmt-dev", "pugixml",
            "zlib", "suitesparse"]
-PAGE = [*HEADERS, "libfmt-dev", "libfast-float-dev", "emscripten", "pugixml", "zlib", *NPM]
+ENGINE = [*HEADERS, "libfmt-dev", "libfast-float-dev", "emscripten", "pugixml", "zlib"]
+PAGE = [*ENGINE, *NPM]
 
 
 def inside(name):
     """The parts in the file of this name."""
     if name.startswith("talweg-page-"):
         return PAGE
+    if name.startswith("talweg-npm-"):
+        return ENGINE
     if name.endswith("_amd64.deb"):
         return HEADERS + (PROGRAM if name.startswith("talweg_") else [])
     if "-windows-" in name:

@@ -52,6 +52,7 @@ class Spdx(unittest.TestCase):
     FILES = ("talweg-1.2.3-py3-none-manylinux_2_29_x86_64.whl", "talweg-1.2.3-linux-x86_64.tar.gz",
              "talweg_1.2.3-1_amd64.deb", "talweg-page-1.2.3.zip", "talweg-1.2.3.tar.gz",
              "talweg-openflipper-1.2.3.tar.gz", "python3-talweg_1.2.3-1_all.deb")
+    NPM = "talweg-npm-1.2.3.tgz"
     WINDOWS = ("talweg-1.2.3-windows-x86_64.zip", "talweg-1.2.3-py3-none-win_amd64.whl",
                "talweg_blender-1.2.3-windows.zip")
 
@@ -65,9 +66,10 @@ class Spdx(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory()
         self.addCleanup(temporary.cleanup)
         folder = Path(temporary.name)
-        for name in (*self.FILES, *self.WINDOWS):
+        names = (*self.FILES, *self.WINDOWS, self.NPM)
+        for name in names:
             (folder / name).write_bytes(b"abc")
-        self.document = spdx.document("1.2.3", 0, "/", [folder / name for name in (*self.FILES, *self.WINDOWS)])
+        self.document = spdx.document("1.2.3", 0, "/", [folder / name for name in names])
         self.names = {part["SPDXID"]: part["name"] for part in self.document["packages"]}
         self.files = {entry["fileName"][2:]: entry for entry in self.document["files"]}
 
@@ -97,6 +99,8 @@ class Spdx(unittest.TestCase):
         self.assertEqual(self.related(archive, "CONTAINS") - self.related(wheel, "CONTAINS"),
                          {"CLI11", "xxHash", "libpng"})
         self.assertLess({"three.js", "three-mesh-bvh", "fast_float"}, self.related(page, "CONTAINS"))
+        self.assertEqual(self.related(page, "CONTAINS") - self.related(self.NPM, "CONTAINS"),
+                         {"three.js", "three-mesh-bvh", "meshoptimizer"})
         self.assertNotIn("fmt", self.related(deb, "CONTAINS"))
         self.assertEqual(self.related(deb, "DYNAMIC_LINK"), {"CHOLMOD with its supernodal module"})
         self.assertEqual(self.files[deb]["licenseConcluded"],

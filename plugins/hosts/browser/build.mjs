@@ -5,6 +5,7 @@ import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, transform } from 'esbuild';
+import { inTheEngine, joined } from './licences.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 
@@ -42,36 +43,14 @@ if (engine) {
   writeFileSync(join(out, 'talweg.js'), (await transform(script, { minify: true, target: 'es2022' })).code);
 }
 
-/** The licence of a Debian package, from its copyright file. */
-function ofDebian(name) {
-  const path = join('/usr/share/doc', name, 'copyright');
-  if (existsSync(path)) return [`${name}\n\n${readFileSync(path, 'utf8')}`];
-  throw new Error(`${path} is not there; the page gives the licence of ${name} on.`);
-}
-
-/** The libraries in the engine: header files of this machine, and sources that CMake has
-   unpacked. */
-function inTheEngine(folder) {
-  const headers = ['libopenmesh-dev', 'libeigen3-dev', 'libfmt-dev', 'nlohmann-json3-dev', 'libfast-float-dev'];
-  const sources = join(folder, '../sources');
-  const texts = { pugixml: 'LICENSE.md', zlib: 'LICENSE' };
-  const unpacked = Object.entries(texts).map(([name, file]) => {
-    const archive = readdirSync(sources).find((one) => one.startsWith(`${name}_`));
-    const inside = join(sources, archive, readdirSync(join(sources, archive))[0]);
-    return `${name}\n\n${readFileSync(join(inside, file), 'utf8')}`;
-  });
-  return [...headers.flatMap((name) => ofDebian(name)), ...unpacked, ...ofDebian('emscripten')];
-}
-
 /** The parts of the page by others, with their licences. */
 function licences() {
-  const ours = readFileSync(join(here, '../../../LICENSE'), 'utf8');
   const others = ['three', 'three-mesh-bvh', 'meshoptimizer'].map((name) => {
     const folder = join(here, 'node_modules', name);
     const { version } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
     return `${name} ${version}\n\n${readFileSync(join(folder, readdirSync(folder).find((file) => /^LICENSE/.test(file))), 'utf8')}`;
   });
-  return [`Talweg\n\n${ours}`, ...others, ...(engine ? inTheEngine(engine) : [])].join(`\n${'-'.repeat(72)}\n\n`);
+  return joined([...others, ...(engine ? inTheEngine(engine) : [])]);
 }
 writeFileSync(join(out, 'licences.txt'), licences());
 

@@ -87,6 +87,12 @@ const kinds = {
   sheet, roof, pair, ball: () => ball(), large: () => ball(400), twice, broken, soup: () => soup(), loose: () => soup(1e-7),
 };
 
+/** This mesh as arrays. */
+export function arrays(kind) {
+  const { points, faces } = kinds[kind]();
+  return { positions: new Float64Array(points.flat()), indices: new Uint32Array(faces.flat()) };
+}
+
 /** The path of an OFF file with this mesh. */
 export function mesh(kind) {
   const { points, faces } = kinds[kind]();

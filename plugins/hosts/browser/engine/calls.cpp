@@ -96,6 +96,10 @@ Answer call(const std::string& name, const Json& arguments) {
   return call_engine(name, arguments);
 }
 
+Json error_json(talweg_status status, const char* sentence) {
+  return {{"error", sentence}, {"status", status}};
+}
+
 /// The text of the answer, or of the error.
 std::string answered(const char* name, const char* arguments) {
   State& own = state();
@@ -104,9 +108,13 @@ std::string answered(const char* name, const char* arguments) {
     own.answer = call(name, Json::parse(arguments));
     text = {{"answer", own.answer.json}};
   } catch (const std::bad_alloc&) {
-    text = {{"error", "There is not enough memory."}};
+    text = error_json(TALWEG_OUT_OF_MEMORY, "There is not enough memory.");
+  } catch (const host::Error& error) {
+    text = error_json(error.status(), error.what());
+  } catch (const editing::Error& error) {
+    text = error_json(TALWEG_BAD_USAGE, error.what());
   } catch (const std::exception& error) {
-    text = {{"error", error.what()}};
+    text = error_json(TALWEG_INTERNAL, error.what());
   }
   return text.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -116,7 +124,8 @@ std::string answered(const char* name, const char* arguments) {
 
 extern "C" {
 
-/// JSON, valid until the next call: {"answer": ...} or {"error": a sentence}.
+/// JSON, valid until the next call: {"answer": ...}, or {"error": a sentence, "status": a
+/// talweg_status}.
 const char* talweg_call(const char* name, const char* arguments) {
   auto& own = talweg::browser::state();
   own.answer = {};

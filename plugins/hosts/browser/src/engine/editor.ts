@@ -1,5 +1,6 @@
 // The drawing, and all edits of it: `talweg::editing::Editor`.
-import { Module } from './module';
+import { loadModule } from './load';
+import type { Module } from './module';
 import type { Curve, Drawing, Ends, OffsetSettings, RidgeKind, Vec3 } from './types';
 
 interface Place {
@@ -19,7 +20,7 @@ export class Editor {
 
   /** An empty drawing. */
   static async load(): Promise<Editor> {
-    const module = await Module.load();
+    const module = await loadModule();
     return new Editor(module, module.call<number>('editor.new', []));
   }
 

@@ -1,7 +1,8 @@
 // talweg.wasm: calls by name, with arguments and answers in JSON and arrays of numbers beside them
-// (engine/calls.cpp).
+// (engine/calls.cpp). The page and the npm package load it in ways of their own.
 
-interface Talweg {
+/** The object that talweg.js, written by the compiler, makes. */
+export interface Talweg {
   HEAPU8: Uint8Array;
   _malloc(bytes: number): number;
   _free(at: number): void;
@@ -15,27 +16,20 @@ interface Talweg {
   lengthBytesUTF8(text: string): number;
 }
 
+/** An error that the engine has told; the message is a sentence, the status a `talweg_status`. */
+export class EngineError extends Error {
+  constructor(sentence: string, readonly status: number) { super(sentence); }
+}
+
+const outOfMemory = 6;  // TALWEG_OUT_OF_MEMORY
+
 /** In the order of NumberKind in engine/answer.hpp. */
 const kinds = [Float64Array, Float32Array, Uint32Array, Int32Array, Uint8Array];
 
 export class Module {
-  private static loaded: Promise<Module> | undefined;
+  constructor(private readonly talweg: Talweg) {}
 
-  private constructor(private readonly talweg: Talweg) {}
-
-  /** The module of this thread. */
-  static load(): Promise<Module> {
-    Module.loaded ??= Module.make();
-    return Module.loaded;
-  }
-
-  private static async make(): Promise<Module> {
-    const address = new URL('./talweg.js', import.meta.url).href;
-    const { default: make } = (await import(address)) as { default: () => Promise<Talweg> };
-    return new Module(await make());
-  }
-
-  /** Throws Error with the library's sentence. Arrays in the result are copies. */
+  /** Throws EngineError with the library's sentence. Arrays in the result are copies. */
   call<Result>(name: string, args: unknown[], bytes?: Uint8Array): Result {
     const { talweg } = this;
     if (bytes) this.put(bytes);
@@ -45,21 +39,21 @@ export class Module {
     talweg._free(name_at);
     talweg._free(args_at);
     const result = JSON.parse(text, (_key, value: unknown) => this.revived(value)) as
-      { answer: Result } | { error: string };
-    if ('error' in result) throw new Error(result.error);
+      { answer: Result } | { error: string; status: number };
+    if ('error' in result) throw new EngineError(result.error, result.status);
     return result.answer;
   }
 
   private put(bytes: Uint8Array): void {
     const at = this.talweg._talweg_room(bytes.length);
-    if (at === 0 && bytes.length > 0) throw new Error('There is not enough memory for the file.');
+    if (at === 0 && bytes.length > 0) throw new EngineError('There is not enough memory for the file.', outOfMemory);
     this.talweg.HEAPU8.set(bytes, at);
   }
 
   private text(text: string): number {
     const room = this.talweg.lengthBytesUTF8(text) + 1;
     const at = this.talweg._malloc(room);
-    if (at === 0) throw new Error('There is not enough memory.');
+    if (at === 0) throw new EngineError('There is not enough memory.', outOfMemory);
     this.talweg.stringToUTF8(text, at, room);
     return at;
   }

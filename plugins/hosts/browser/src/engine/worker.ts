@@ -1,5 +1,5 @@
 // The worker of the engine: does requests one after the other.
-import { Module } from './module';
+import { loadModule } from './load';
 
 /** A call of the module. */
 export interface Request {
@@ -35,7 +35,7 @@ async function unpacked(name: string, bytes: ArrayBuffer): Promise<Uint8Array> {
 
 async function answer({ id, name, args, bytes }: Request): Promise<void> {
   try {
-    const module = await Module.load();
+    const module = await loadModule();
     const file = typeof args[0] === 'string' ? args[0] : '';
     const unpackedBytes = bytes && (await unpacked(file, bytes));
     if (unpackedBytes) args = args.map((arg, k) => (k === 0 && file ? file.replace(/\.gz$/i, '') : arg));
@@ -47,5 +47,5 @@ async function answer({ id, name, args, bytes }: Request): Promise<void> {
 }
 
 page.onmessage = (event) => void answer(event.data);
-Module.load().then(() => page.postMessage({ id: 0, answer: null }, []),
+loadModule().then(() => page.postMessage({ id: 0, answer: null }, []),
   (error: unknown) => page.postMessage({ id: 0, error: String(error) }, []));
