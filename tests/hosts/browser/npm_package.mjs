@@ -28,7 +28,7 @@ export function withExamples() {
 export function installed() {
   const folder = withExamples();
   writeFileSync(join(folder, 'package.json'), '{ "private": true, "type": "module" }');
-  run(built, 'npm', 'pack', '--silent', '--pack-destination', folder);
+  run(built, 'npm', 'pack', '--offline', '--silent', '--pack-destination', folder);
   const archive = readdirSync(folder).find((name) => name.endsWith('.tgz'));
   run(folder, 'npm', 'install', '--offline', '--silent', '--no-audit', '--no-fund', `./${archive}`);
   return folder;
