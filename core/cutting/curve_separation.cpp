@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/mesh/border_points.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 
 namespace talweg {
@@ -64,15 +65,15 @@ class Reason {
     const bool start = is_inside(vertices.front()), end = is_inside(vertices.back());
     if (start || end) return inside(start, end);
     return leads_between_borders() ? "it leads from one border to another. A second curve between "
-                                     "these two would, together with it"
+                                     "these two borders would separate the mesh together with it"
                                    : around("curve");
   }
 
  private:
   [[nodiscard]] static std::string around(std::string_view kind) {
     return fmt::format(
-        "the mesh hangs together around it, as around a handle. A second {} around the same handle "
-        "would, together with it",
+        "the mesh is connected around it, as around a handle. A second {} around the same handle "
+        "would separate the mesh together with it",
         kind);
   }
 
@@ -90,27 +91,29 @@ class Reason {
   [[nodiscard]] std::string inside(bool start, bool end) const {
     if (start && end) {
       return fmt::format("its start {}, and its end {}. {}", place(chain_->vertices.front()),
-                         place(chain_->vertices.back()), what_would());
+                         place(chain_->vertices.back()), advice());
     }
     const std::uint32_t vertex = start ? chain_->vertices.front() : chain_->vertices.back();
-    return fmt::format("its {} {}. {}", start ? "start" : "end", place(vertex), what_would());
+    return fmt::format("its {} {}. {}", start ? "start" : "end", place(vertex), advice());
   }
 
   [[nodiscard]] std::string place(std::uint32_t vertex) const {
     const Point at = mesh_->position(cut_->vertex_from[vertex]);
     std::string words =
-        fmt::format("at ({:.9g}, {:.9g}, {:.9g}) lies inside", at.x(), at.y(), at.z());
+        fmt::format("at {} lies inside", position_text(at, mesh_->mean_edge_length()));
     const double away = distance_to_border(*mesh_, at);
     if (std::isfinite(away)) words += fmt::format(", {:.3g} mesh units from the border", away);
     return words;
   }
 
-  [[nodiscard]] std::string what_would() const {
+  [[nodiscard]] std::string advice() const {
     const Surface& surface = mesh_->surface();
     for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
-      if (surface.on_boundary(VertexId{v})) return "A curve from border to border would, or a loop";
+      if (surface.on_boundary(VertexId{v})) {
+        return "Draw it from border to border, or as a loop";
+      }
     }
-    return "The mesh has no border, so a loop would";
+    return "The mesh has no border, so draw a loop";
   }
 
   [[nodiscard]] bool leads_between_borders() const {

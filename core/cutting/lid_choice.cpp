@@ -11,6 +11,7 @@
 
 #include "talweg/core/cutting/lid_sinking.hpp"
 #include "talweg/core/cutting/plane_filling.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -182,9 +183,8 @@ void LidChooser::refuse(LidKind kind) const {
            chain.vertices.end();
   };
   const auto curve = std::find_if(chains_.begin(), chains_.end(), runs_here) - chains_.begin();
-  const std::string name =
-      fmt::format("The rim of {} points at ({:.6g}, {:.6g}, {:.6g}) on curve {}", rim.size(),
-                  at.x(), at.y(), at.z(), curve);
+  const std::string name = fmt::format("The rim of {} points at {} on curve {}", rim.size(),
+                                       position_text(at, (points_[rim[1]] - at).norm()), curve);
   const double distance = distance_from_plane(points_, rim);
   if (kind == LidKind::kPlanar && distance > kPlaneTolerance) {
     throw Error(

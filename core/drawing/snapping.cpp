@@ -16,6 +16,7 @@
 #include "talweg/core/drawing/straight_lines.hpp"
 #include "talweg/core/drawing/stroke_spikes.hpp"
 #include "talweg/core/mesh/closest_point.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -212,9 +213,9 @@ std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const Clos
       nearest.push_back(closest.nearest(positions[k]));
       if (nearest.back().distance > farthest) {
         bad_curve(fmt::format(
-            "the mesh is {:.3g} away and {:.3g} large, and at most {:.3g} is taken: the "
-            "curve seems to be in another unit or place{}",
-            nearest.back().distance, size, farthest, which_fits(mesh, closest, positions)));
+            "the mesh, which is {:.3g} large, lies {:.3g} away; curves may lie {:.3g} from it at "
+            "most: this curve seems to be in another unit or place{}",
+            size, nearest.back().distance, farthest, which_fits(mesh, closest, positions)));
       }
     } catch (const Error& error) {
       throw Error(error.code(), "At " + at_position(first + k) + ": " + error.what());
@@ -223,25 +224,22 @@ std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const Clos
   return nearest;
 }
 
-std::string at_place(const Point& p) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
-}
-
-void tell_matching(const SheetMatching& matching, const std::vector<Point>& positions,
+void tell_matching(const SheetMatching& matching, const std::vector<Point>& positions, double edge,
                    SnappedCurve& curve) {
   if (matching.moved > 0) {
     curve.told.push_back(fmt::format(
         "{} of {} points of a curve {} nearer to the other side of a thin wall than the rest of "
         "the curve, and {} put on the side of the rest, the first at {}.",
         matching.moved, positions.size(), matching.moved == 1 ? "is" : "are",
-        matching.moved == 1 ? "was" : "were", at_place(positions[matching.first_moved])));
+        matching.moved == 1 ? "was" : "were",
+        position_text(positions[matching.first_moved], edge)));
   }
   if (matching.jumps > 0) {
     curve.told.push_back(
         fmt::format("A curve jumps through space in {} {} where every way over the surface is much "
                     "longer, the first at {}.",
                     matching.jumps, matching.jumps == 1 ? "place" : "places",
-                    at_place(positions[matching.first_jump])));
+                    position_text(positions[matching.first_jump], edge)));
   }
 }
 
@@ -252,7 +250,7 @@ std::vector<SurfacePoint> snap_positions(const SurfaceMesh& mesh, const ClosestP
   const std::size_t first = before > 0 ? before - 1 : 0;
   SheetMatching matching = matched_to_sheets(mesh, closest, positions, curve.closed,
                                              nearest_to(mesh, closest, positions, first, poller));
-  tell_matching(matching, positions, curve);
+  tell_matching(matching, positions, mesh.mean_edge_length(), curve);
   std::vector<SurfacePoint> points;
   for (std::size_t k = 0; k < positions.size(); ++k) {
     points.push_back(settled(mesh, matching.points[k], positions[k]));
@@ -342,7 +340,9 @@ bool has_positions(const CurveInput& curve) {
 }
 
 /// The curve without spikes if it is a stroke of positions with spikes; adds a sentence on them.
-std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<std::string>& told) {
+/// `edge` is the mean edge length of the mesh.
+std::optional<CurveInput> without_spikes(const CurveInput& curve, double edge,
+                                         std::vector<std::string>& told) {
   const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
   const bool is_stroke = samples != nullptr && !curve.control_points && curve.pins.empty() &&
                          curve.way_points.empty() && curve.painted.empty();
@@ -357,7 +357,7 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, std::vector<st
       "{} of {} points of a curve {} far from the points before and after, as when a tracker is "
       "disturbed, and {} left out, the first at {}.",
       spikes.size(), samples->size(), spikes.size() == 1 ? "lies" : "lie",
-      spikes.size() == 1 ? "was" : "were", at_place((*samples)[spikes.front()])));
+      spikes.size() == 1 ? "was" : "were", position_text((*samples)[spikes.front()], edge)));
   CurveInput rest = curve;
   rest.points = std::move(kept);
   return rest;
@@ -412,7 +412,8 @@ SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, cons
                       const SnapOptions& options, ProgressPoller& poller) {
   SnappedCurve result;
   result.told = given.told;
-  const std::optional<CurveInput> rest = without_spikes(given, result.told);
+  const std::optional<CurveInput> rest =
+      without_spikes(given, mesh.mean_edge_length(), result.told);
   std::optional<CurveInput> within;
   if (closest != nullptr) within = within_border(mesh, *closest, rest ? *rest : given, result);
   const CurveInput& curve = within ? *within : rest ? *rest : given;

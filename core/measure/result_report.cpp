@@ -12,6 +12,7 @@
 
 #include "talweg/core/measure/deviation.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/version.hpp"
 #include "talweg/intrinsic/exact_distance/polyline_distance.hpp"
 
@@ -32,11 +33,11 @@ void warn_if_far(SmoothingReport& report, double far, bool automatic) {
   const bool is_known = through_space && kAutomaticTo * report.edge_length_near > far;
   if (!std::isfinite(apart) || !(apart > far || is_known)) return;
   std::string sentence =
-      fmt::format("{} by up to {:.3g}{}, {:.2g} mesh edges, at ({:.6g}, {:.6g}, {:.6g}).",
+      fmt::format("{} by up to {:.3g}{}, {:.2g} mesh edges, at {}.",
                   cut ? "The result cuts off parts of the drawing that lie away from it"
                       : "The result leaves the drawing",
                   apart, through_space ? " through space" : "", apart / report.edge_length_near,
-                  report.deviation_at.x(), report.deviation_at.y(), report.deviation_at.z());
+                  position_text(report.deviation_at, report.edge_length_near));
   if (cut) {
     warn_decisively(report, {std::move(sentence), report.deviation_at});
   } else {

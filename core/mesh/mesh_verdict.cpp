@@ -8,6 +8,7 @@
 
 #include "talweg/core/mesh/measurable_point.hpp"
 #include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 
 namespace talweg {
 namespace {
@@ -25,7 +26,7 @@ std::string faces_text(const std::vector<std::uint32_t>& faces) {
 
 /// "1 face has" or "7 faces have": the number with the words for one or for several.
 std::string counted(std::size_t n, const char* one, const char* several) {
-  return text(n) + (n == 1 ? one : several);
+  return count_text(n) + (n == 1 ? one : several);
 }
 
 /// Completes "1 edge has more than two faces" with its place, or "7 edges have ..." with the first

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/repair/mesh_repair.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -28,7 +29,7 @@ void tell(std::vector<std::string>& all, const Defect<Place>& what, const char* 
   if (!what.found()) return;
   std::vector<std::string> places;
   for (const Place& place : what.first) places.push_back(place_text(place));
-  all.push_back(fmt::format("Repair: {} {}{} ({} {}{}).", what.count,
+  all.push_back(fmt::format("Repair: {} {}{} ({} {}{}).", count_text(what.count),
                             what.count == 1 ? one : several, more, kind, fmt::join(places, ", "),
                             what.count > places.size() ? ", ..." : ""));
 }
@@ -96,7 +97,7 @@ std::vector<std::string> sentences(const MeshChanges& changes) {
     all.push_back(fmt::format(
         "Repair: {} vertices within the tolerance of others stay apart, because they are the two "
         "ends of an edge or lie farther apart than half of their shortest edge.",
-        changes.held_apart));
+        count_text(changes.held_apart)));
   }
   tell(all, changes.flattened_faces, "face has no area any more after welding",
        "faces have no area any more after welding", "face");
@@ -110,7 +111,8 @@ std::vector<std::string> sentences(const MeshChanges& changes) {
   tell(all, changes.split_edges, "edge with more than two faces was cut",
        "edges with more than two faces were cut", "vertices");
   tell(all, changes.split_vertices, "vertex was split", "vertices were split", "vertex",
-       fmt::format(", {} were added", changes.vertex_copies));
+       fmt::format(", {} {} added", count_text(changes.vertex_copies),
+                   changes.vertex_copies == 1 ? "was" : "were"));
   return all;
 }
 

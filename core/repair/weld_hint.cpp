@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "talweg/core/mesh/mesh_inspection.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 
 namespace talweg {
 namespace {
 
 std::string counted(std::size_t n, const char* what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  return fmt::format("{} {}{}", count_text(n), what, n == 1 ? "" : "s");
 }
 
 std::string boundary_of(const MeshInspection& m) {
@@ -23,11 +24,11 @@ std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded
   const std::string where =
       welded.tolerance > 0 ? fmt::format("within {:.2g} of", welded.tolerance) : "at the place of";
   std::string text =
-      fmt::format("{} {} {} {}: with {}{} the mesh has {}", welded.vertices,
+      fmt::format("{} {} {} {}: with {}{} the mesh has {}", count_text(welded.vertices),
                   one ? "vertex lies" : "vertices lie", where, one ? "another" : "others", option,
                   welded.steps, counted(welded.after.components, "part"));
   if (welded.after.components != before.components) {
-    text += fmt::format(" instead of {}", before.components);
+    text += fmt::format(" instead of {}", count_text(before.components));
   }
   text += " and " + boundary_of(welded.after);
   if (welded.after.boundary_loops != before.boundary_loops) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -75,9 +76,9 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     report.missed_at = at;
     std::string sentence = fmt::format(
         "The result misses {} of the points that it should pass, by up to {:.3g} mesh units "
-        "through space, at ({:.6g}, {:.6g}, {:.6g}): where a drawing meets itself, small loops and "
+        "through space, at {}: where a drawing meets itself, small loops and "
         "ways back over the drawing are lost.",
-        missed.points, missed.farthest, at.x(), at.y(), at.z());
+        missed.points, missed.farthest, position_text(at, report.edge_length_near));
     warn_decisively(report, {std::move(sentence), at});
   }
 }

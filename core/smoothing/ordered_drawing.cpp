@@ -9,6 +9,7 @@
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/lifting/corridor.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg {
@@ -20,9 +21,9 @@ constexpr std::size_t kOfPoint = 8;  // units of work per point
                                std::size_t number) {
   const Point at = mesh.position(curve.points.front());
   throw Error(ErrorCode::kBadCurve,
-              fmt::format("Curve {} has no length: its {} points all lie at ({:.9g}, {:.9g}, "
-                          "{:.9g}), where faces of the mesh have no extent.",
-                          number, curve.points.size(), at.x(), at.y(), at.z()));
+              fmt::format("Curve {} has no length: its {} points all lie at {}, where faces "
+                          "of the mesh have no extent.",
+                          number, curve.points.size(), position_text(at, mesh.mean_edge_length())));
 }
 
 }  // namespace

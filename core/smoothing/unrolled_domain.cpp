@@ -11,6 +11,7 @@
 #include "talweg/core/fairing/joined_curves.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/smoothing/corridor_width.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -294,10 +295,10 @@ std::vector<std::string> UnrolledDomain::lost_pins(const DomainResult& smoothed)
     const Point at = memory_->mesh().position(pin);
     const auto* v = std::get_if<AtVertex>(&pin.where());
     sentences.push_back(
-        fmt::format("The result misses the pin {}at ({:.6g}, {:.6g}, {:.6g}): the pin lies on a "
+        fmt::format("The result misses the pin {}at {}: the pin lies on a "
                     "spike or a small loop of the drawing that smoothing removes.",
-                    v != nullptr ? fmt::format("(vertex {}) ", v->vertex.index()) : "", at.x(),
-                    at.y(), at.z()));
+                    v != nullptr ? fmt::format("(vertex {}) ", v->vertex.index()) : "",
+                    position_text(at, drawing_->edges_near().front())));
   }
   return sentences;
 }

@@ -9,16 +9,10 @@
 #include "talweg/core/repair/inspection_report.hpp"
 #include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 
 namespace talweg::driver {
 namespace {
-
-/// A number with commas: 1,234,567.
-std::string grouped(std::size_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, 1, ',');
-  return digits;
-}
 
 std::string ids(const std::vector<std::uint32_t>& list) {
   return fmt::format("{}", fmt::join(list, ", "));
@@ -76,15 +70,15 @@ std::string line(const char* label, const std::string& value) {
 std::string polygon_line(const MeshInspection& m) {
   if (m.polygons == 0) return "";
   const PolygonShapes& shapes = m.polygon_shapes;
-  std::string text = grouped(m.polygons);
-  if (shapes.concave > 0) text += fmt::format(", {} of them concave", grouped(shapes.concave));
+  std::string text = count_text(m.polygons);
+  if (shapes.concave > 0) text += fmt::format(", {} of them concave", count_text(shapes.concave));
   if (shapes.not_plane > 0) {
     text += fmt::format(", {} not planar (by up to {:.3g} of their size, face {} of the file)",
-                        grouped(shapes.not_plane), shapes.largest_distance, shapes.largest_face);
+                        count_text(shapes.not_plane), shapes.largest_distance, shapes.largest_face);
   }
   if (shapes.crossing > 0) {
     text += fmt::format(", {} cross themselves or have no area (first: face {} of the file)",
-                        grouped(shapes.crossing), shapes.crossing_face);
+                        count_text(shapes.crossing), shapes.crossing_face);
   }
   return line("polygons", text);
 }
@@ -120,16 +114,16 @@ std::string repair_text(const InfoRepair& repair) {
 std::string info_text(const MeshInspection& m, const InfoTimes& times,
                       const std::optional<InfoRepair>& repair,
                       const std::optional<WeldedMesh>& welded, const NearVertices& near) {
-  std::string text = line("faces", grouped(m.faces));
+  std::string text = line("faces", count_text(m.faces));
   if (m.polygons > 0) {
     text.pop_back();
-    text += fmt::format(" (after cutting {} polygons into triangles)\n", grouped(m.polygons));
+    text += fmt::format(" (after cutting {} polygons into triangles)\n", count_text(m.polygons));
   }
-  text += polygon_line(m) + line("vertices", grouped(m.vertices));
-  text += line("edges", grouped(m.edges));
-  text += line("parts", grouped(m.components));
-  text +=
-      line("boundary loops", m.boundary_loops == 0 ? "none (closed)" : grouped(m.boundary_loops));
+  text += polygon_line(m) + line("vertices", count_text(m.vertices));
+  text += line("edges", count_text(m.edges));
+  text += line("parts", count_text(m.components));
+  text += line("boundary loops",
+               m.boundary_loops == 0 ? "none (closed)" : count_text(m.boundary_loops));
   text += line("genus (handles)",
                m.genus ? std::to_string(*m.genus) : "unknown (not an oriented manifold)");
   text += size_lines(m);
@@ -146,12 +140,12 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
       if (blocks != blocking || !defect.found()) return;
       std::vector<std::string> places;
       for (const auto& place : defect.first) places.push_back(place_text(place));
-      list += fmt::format("  {:>9} {} {}{}\n", grouped(defect.count), words,
+      list += fmt::format("  {:>9} {} {}{}\n", count_text(defect.count), words,
                           fmt::join(places, ", "), defect.count > places.size() ? ", ..." : "");
     });
     if (!blocking && near.count > 0) {
       list += fmt::format("  {:>9} vertices that nearly coincide with others, up to {:.3g} apart\n",
-                          grouped(near.count), near.largest_gap);
+                          count_text(near.count), near.largest_gap);
     }
     if (!list.empty())
       text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/space/message_numbers.hpp"
+
 namespace talweg::driver {
 namespace {
-
-std::string place(const Point& p) { return fmt::format("{:.6g} {:.6g} {:.6g}", p[0], p[1], p[2]); }
 
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
@@ -21,7 +21,7 @@ std::string row(const std::string& name, const MeasuredCurve& c) {
       "{:<16}{}\n",
       name, c.points, c.closed ? "yes" : "no", m.length, m.total_curvature, m.signed_curvature,
       m.bending, degrees(m.window_turning), degrees(m.window_turning_2), degrees(m.max_curvature),
-      contacts, m.max_curvature > 0 ? place(c.max_at) : "");
+      contacts, m.max_curvature > 0 ? position_text(c.max_at, c.edge) : "");
 }
 
 std::string block(const std::string& file, const MeasuredCurves& curves) {
@@ -37,12 +37,12 @@ std::string block(const std::string& file, const MeasuredCurves& curves) {
   return text;
 }
 
-std::string deviation_lines(const std::string& name, const MeasuredDistance& d) {
+std::string deviation_lines(const std::string& name, const MeasuredDistance& d, double edge) {
   return fmt::format(
       "{:<8}{:<16}{:>14.6g}{:>14.6g}\n{:<8}{:<16}{:>14.6g}{:>14.6g}\n"
       "{:<8}{:<16}  {}\n",
       name, "to the other", d.to_max, d.to_mean, "", "from the other", d.from_max, d.from_mean, "",
-      "largest at", place(d.at));
+      "largest at", position_text(d.at, edge));
 }
 
 }  // namespace
@@ -56,10 +56,10 @@ std::string measure_table(const CurveMeasurement& m, const std::string& name,
     text += fmt::format("\n{:<24}{:>14}{:>14}\n", "deviation", "max", "mean");
     if (m.deviations.size() > 1) {
       for (std::size_t i = 0; i < m.deviations.size(); ++i) {
-        text += deviation_lines(std::to_string(i), m.deviations[i]);
+        text += deviation_lines(std::to_string(i), m.deviations[i], m.curves.each[i].edge);
       }
     }
-    text += deviation_lines("all", m.deviation);
+    text += deviation_lines("all", m.deviation, m.curves.total.edge);
   }
   text +=
       "Lengths in mesh units, curvatures in radians, turns (in windows of one and two mean edges "

@@ -53,7 +53,7 @@ Progress progress_bar(bool quiet) {
   };
 }
 
-std::string count_text(std::size_t done, std::size_t failed, std::size_t total, double seconds) {
+std::string progress_text(std::size_t done, std::size_t failed, std::size_t total, double seconds) {
   std::string text = fmt::format("{}/{}", done, total);
   if (failed > 0) text += fmt::format(" ({} failed)", failed);
   if (done == 0 || seconds <= 0) return text;
@@ -85,7 +85,7 @@ void CountedBar::draw() {
   next_ = now + kEvery;
   const double seconds = std::chrono::duration<double>(now - start_).count();
   put_line(bar(static_cast<double>(done_) / static_cast<double>(total_)) + " " +
-           count_text(done_, failed_, total_, seconds));
+           progress_text(done_, failed_, total_, seconds));
 }
 
 void clear_progress_bar() {

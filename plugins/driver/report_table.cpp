@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/space/message_numbers.hpp"
+
 namespace talweg::driver {
 namespace {
 
@@ -25,8 +27,8 @@ std::string head_of(const SmoothingReport& r) {
   } else if (far.at_most > far.at_least) {
     distance += fmt::format(" to {:.6g}", far.at_most);
   }
-  return out + fmt::format("farthest apart: {} mesh units, {}, at {:.6g} {:.6g} {:.6g}\n", distance,
-                           what, far.at[0], far.at[1], far.at[2]);
+  return out + fmt::format("farthest apart: {} mesh units, {}, at {}\n", distance, what,
+                           position_text(far.at, r.edge_length_near));
 }
 
 }  // namespace

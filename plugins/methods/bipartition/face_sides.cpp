@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/cutting/mesh_cutting.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::plugins {
@@ -38,12 +39,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_of(const CutMesh& c
   return odd;
 }
 
-[[noreturn]] void throw_no_sides(const Point& at, std::size_t curves) {
+[[noreturn]] void throw_no_sides(const Point& at, double edge, std::size_t curves) {
   throw Error(ErrorCode::kBadCurve,
-              fmt::format("The drawn {} not part the mesh in two sides: at ({:.6g}, {:.6g}, "
-                          "{:.6g}) one gets to the other side without crossing. This method needs "
-                          "loops that enclose something, or curves from boundary to boundary.",
-                          curves > 1 ? "curves do" : "curve does", at.x(), at.y(), at.z()));
+              fmt::format("The drawn {} not part the mesh in two sides: at {} a way leads to the "
+                          "other side without crossing the drawing. This method needs loops that "
+                          "enclose something, or curves from boundary to boundary.",
+                          curves > 1 ? "curves do" : "curve does", position_text(at, edge)));
 }
 
 /// The sides of the faces of the cut mesh.
@@ -70,7 +71,8 @@ std::vector<char> sides_of_cut(const CutMesh& cut, const Surface& surface) {
           other = there;
           queue.push_back(surface.face(twin(h)));
         } else if (other != there) {
-          throw_no_sides((cut.lists.points[a] + cut.lists.points[b]) / 2, cut.chains.size());
+          const Point &p = cut.lists.points[a], &q = cut.lists.points[b];
+          throw_no_sides((p + q) / 2, (q - p).norm(), cut.chains.size());
         }
       }
     }

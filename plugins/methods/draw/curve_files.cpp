@@ -141,9 +141,10 @@ class Input {
     view_.positions = plugin::view(numbers_.data(), points.size(), 3);
   }
   static void take(const std::vector<CornerCoordinates>& /*points*/) {
-    throw plugin::Failure(TALWEG_BAD_FILE,
-                          "The curves lie between vertices of a mesh (.border), and none was told "
-                          "with the file.");
+    throw plugin::Failure(
+        TALWEG_BAD_FILE,
+        "The file places its points between vertices of a mesh (.border); read it "
+        "together with that mesh.");
   }
 
   void take_marks(std::vector<double> marks) {

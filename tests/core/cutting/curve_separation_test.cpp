@@ -75,7 +75,7 @@ TEST(CurveSeparation, AnEndInside) {
   ASSERT_EQ(made.told.size(), 1U);
   EXPECT_EQ(made.told[0],
             "Curve 0 does not separate the mesh: its end at (3, 4, 0) lies inside, 3 mesh units "
-            "from the border. A curve from border to border would, or a loop.");
+            "from the border. Draw it from border to border, or as a loop.");
   const std::vector<ReportEntry> report =
       entries_of(mesh, cut_along(mesh, {}), made, {"Of reading."}, 0);
   const auto entry = [&](const std::string& key) {
@@ -97,7 +97,7 @@ TEST(CurveSeparation, AcrossATubeTwoAreNeeded) {
   ASSERT_EQ(alone.told.size(), 1U);
   EXPECT_EQ(alone.told[0],
             "Curve 0 does not separate the mesh: it leads from one border to another. A second "
-            "curve between these two would, together with it.");
+            "curve between these two borders would separate the mesh together with it.");
   const MeshParts both = parted(mesh, {one, other});
   EXPECT_EQ(both.pieces, 2U);
   EXPECT_EQ(both.separates, (std::vector<bool>{true, true}));
@@ -123,13 +123,14 @@ TEST(CurveSeparation, LoopsAroundAHandle) {
   const SurfaceCurve other = through(mesh, {32, 33, 34, 35, 36, 37, 38, 39}, true);
   const MeshParts alone = parted(mesh, {loop});
   ASSERT_EQ(alone.told.size(), 1U);
-  EXPECT_EQ(alone.told[0],
-            "Curve 0 does not separate the mesh: the mesh hangs together around it, as around a "
-            "handle. A second loop around the same handle would, together with it.");
+  EXPECT_EQ(
+      alone.told[0],
+      "Curve 0 does not separate the mesh: the mesh is connected around it, as around a "
+      "handle. A second loop around the same handle would separate the mesh together with it.");
   EXPECT_EQ(parted(mesh, {loop, other}).separates, (std::vector<bool>{true, true}));
   const MeshParts open = parted(mesh, {through(mesh, {0, 1, 2})});
   ASSERT_EQ(open.told.size(), 1U);
-  EXPECT_NE(open.told[0].find("The mesh has no border, so a loop would."), std::string::npos)
+  EXPECT_NE(open.told[0].find("The mesh has no border, so draw a loop."), std::string::npos)
       << open.told[0];
 }
 

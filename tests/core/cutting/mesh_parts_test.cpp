@@ -197,7 +197,7 @@ TEST(MeshParts, RefusesASideThatIsNone) {
   EXPECT_EQ(refused_parts(cut_along(mesh, {&slit, 1}), mesh, kept_side(KeptSide::kLeft)),
             "Curve 0 does not separate the mesh: its start at (1, 1, 0) lies inside, 1 mesh units "
             "from the border, and its end at (3, 1, 0) lies inside, 1 mesh units from the border. "
-            "A curve from border to border would, or a loop. So there is no left side to keep.");
+            "Draw it from border to border, or as a loop. So there is no left side to keep.");
   const SurfaceCurve rim = test::vertex_curve(
       mesh.surface(), test::ids({0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5}), true);
   EXPECT_EQ(refused_parts(cut_along(mesh, {&rim, 1}), mesh, kept_side(KeptSide::kRight)),

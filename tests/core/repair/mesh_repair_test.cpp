@@ -330,7 +330,11 @@ TEST(MeshRepair, SentencesNameCountsAndPlaces) {
       sentences(repair(with_turned_face(with_bow_tie(sphere(1), 3), 4)).changes);
   EXPECT_EQ(told,
             (std::vector<std::string>{"Repair: 1 face was turned around (face 4).",
-                                      "Repair: 1 vertex was split, 1 were added (vertex 3)."}));
+                                      "Repair: 1 vertex was split, 1 was added (vertex 3)."}));
+  // 1800 faces with 3 vertices each become a grid of 31 x 31 vertices; 5400 - 961 are welded.
+  const std::vector<std::string> welded = sentences(repair(soup(grid(30, 30))).changes);
+  ASSERT_EQ(welded.size(), 1);
+  EXPECT_TRUE(welded[0].starts_with("Repair: 4,439 vertices were welded onto others")) << welded[0];
 }
 
 TEST(MeshRepair, CurvesGoThereAndBack) {

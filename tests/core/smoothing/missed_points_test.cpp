@@ -87,5 +87,27 @@ TEST_F(MissedPoints, AWayBackBesideAStrokeIsLeftOut) {
   expect_six_away(smooth_through({{2, 10}, {20, 10}, {14, 10}, {14, 20}, {6, 20}, {6, 4}}, true));
 }
 
+/// In UTM coordinates, 4200 km from the origin, the place still tells which vertex is meant.
+TEST(MissedPointsFarFromTheOrigin, AreToldToTheVertex) {
+  MeshLists lists = test::grid(30, 30);
+  for (Point& p : lists.points) p += Point(500000, 4200000, 0);
+  const auto opened = OpenedMesh::open(lists);
+  const auto vertex = [&](std::uint32_t x, std::uint32_t y) {
+    return SurfacePoint::at_vertex(opened->mesh().surface(), VertexId{y * 31 + x});
+  };
+  SurfaceCurve drawn{false, {}};
+  for (std::uint32_t x = 2; x <= 20; ++x) drawn.points.push_back(vertex(x, 10));
+  for (std::uint32_t x = 19; x >= 14; --x) drawn.points.push_back(vertex(x, 10));
+  for (std::uint32_t y = 11; y <= 20; ++y) drawn.points.push_back(vertex(14, y));
+  CurveOptions options;
+  options.way_points.push_back({vertex(20, 10)});
+  options.painted.push_back(vertex(14, 19));
+  const SmoothingResult result = smooth_curve(opened, drawn, {}, options);
+  EXPECT_TRUE(std::ranges::any_of(result.report().decisive, [](const Decisive& one) {
+    return one.sentence.find("it should pass") != std::string::npos &&
+           one.sentence.find("at (500020, 4200010, 0)") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace talweg

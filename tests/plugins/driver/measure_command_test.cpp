@@ -212,7 +212,7 @@ TEST_F(MeasureCommand, PrintsATableAndIsQuietWhenAsked) {
   write("corner.txt", "0\n1\n2\n33\n");
   const Outcome one = run("measure mesh.ply corner.txt");
   EXPECT_EQ(one.code, 0);
-  for (const char* words : {"corner.txt", "self-contacts", "1.5708", "2 0 0"}) {
+  for (const char* words : {"corner.txt", "self-contacts", "1.5708", "(2, 0, 0)"}) {
     EXPECT_NE(one.out.find(words), std::string::npos) << one.out;
   }
   EXPECT_EQ(one.out.find("deviation"), std::string::npos);

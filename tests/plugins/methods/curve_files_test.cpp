@@ -90,7 +90,7 @@ TEST_F(CurveFileUnits, BordersNeedTheMeshWhoseVerticesTheyName) {
       << message;
   EXPECT_EQ(read(border("4 4 4 1 1 1"), square.view()), TALWEG_BAD_CURVE);
   EXPECT_EQ(read(border("3 0 2 1 1 1"), nullptr), TALWEG_BAD_FILE);
-  EXPECT_NE(std::string(message).find("none was told"), std::string::npos) << message;
+  EXPECT_NE(std::string(message).find("together with that mesh"), std::string::npos) << message;
   EXPECT_TRUE(found.empty());
 }
 

@@ -1,0 +1,20 @@
+// Places and counts as messages write them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "talweg/core/space/point.hpp"
+
+namespace talweg {
+
+/// "(4200083.12, 500000.4, 0)": the coordinates to a thousandth of `edge` or finer, so that the
+/// text tells neighbouring vertices apart, also far from the origin. Without zeros at the end, and
+/// never more than 17 digits. `edge` is the length of an edge near `at`, mesh units; with 0 or a
+/// number that is not finite, the text has all digits of the coordinates.
+[[nodiscard]] std::string position_text(const Point& at, double edge);
+
+/// "1,234,567". For counts only: the numbers of vertices and faces stay plain, as files have them.
+[[nodiscard]] std::string count_text(std::size_t count);
+
+}  // namespace talweg

@@ -1,0 +1,44 @@
+#include "talweg/core/space/message_numbers.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace talweg {
+namespace {
+
+TEST(PositionText, HasAThousandthOfAnEdge) {
+  EXPECT_EQ(position_text({12.34567, -0.00049, 7}, 1), "(12.346, 0, 7)");
+  EXPECT_EQ(position_text({1.0 / 3, 2.0 / 3, 0.5}, 0.02), "(0.33333, 0.66667, 0.5)");
+  EXPECT_EQ(position_text({-0.0, 0, 1e-12}, 1), "(0, 0, 0)");
+}
+
+TEST(PositionText, TellsVerticesApartFarFromTheOrigin) {
+  EXPECT_EQ(position_text({500000.25, 4200083.126, 812.5}, 1), "(500000.25, 4200083.126, 812.5)");
+  EXPECT_EQ(position_text({4200083.126, 4200084.126, 0}, 50), "(4200083.13, 4200084.13, 0)");
+  EXPECT_EQ(position_text({4200083.126, 0, 0}, 1e5), "(4200083, 0, 0)");  // no digit is lost
+}
+
+TEST(PositionText, HoldsInTinyAndHugeUnits) {
+  EXPECT_EQ(position_text({1.25e-30, -3e-31, 0}, 1e-30), "(1.25e-30, -3e-31, 0)");
+  EXPECT_EQ(position_text({1e60, 2.5e60, 0}, 1e58), "(1e+60, 2.5e+60, 0)");
+}
+
+TEST(PositionText, HasAllDigitsWhereNoEdgeIsKnown) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double edge : {0.0, std::nan(""), infinite}) {
+    EXPECT_EQ(position_text({0.1, 4200083.126, 0}, edge), "(0.1, 4200083.126, 0)") << edge;
+  }
+  EXPECT_EQ(position_text({infinite, 1, 2}, 1), "(inf, 1, 2)");
+}
+
+TEST(CountText, GroupsThousands) {
+  EXPECT_EQ(count_text(0), "0");
+  EXPECT_EQ(count_text(999), "999");
+  EXPECT_EQ(count_text(94294), "94,294");
+  EXPECT_EQ(count_text(1234567), "1,234,567");
+}
+
+}  // namespace
+}  // namespace talweg
