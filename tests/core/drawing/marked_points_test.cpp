@@ -158,7 +158,7 @@ TEST_F(MarkedPointsTest, ManyOrDenseControlPointsAreAStrokeWithAWarning) {
   EXPECT_NE(many[0].find("has 201 control points; more than 200"), std::string::npos) << many[0];
   const auto dense = warnings(controls(10, 1.98 * kEdge));
   ASSERT_EQ(dense.size(), 1U);
-  EXPECT_NE(dense[0].find("closer than 2 they are marked as a stroke"), std::string::npos)
+  EXPECT_NE(dense[0].find("closer than 2 they are taken as a stroke"), std::string::npos)
       << dense[0];
   // A meaning given by the user needs no warning.
   EXPECT_TRUE(warnings(controls(201, 2.4), {PointMeaning::kExact, {}, 0}).empty());
