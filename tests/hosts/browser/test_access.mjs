@@ -84,7 +84,7 @@ export async function aSoupIsWelded() {
   const page = await openPage();
   for (const kind of ['soup', 'loose']) {
     await page.openMesh(mesh(kind));
-    assert.match(await page.text('hint'), /Repair would weld them/);
+    assert.match(await page.text('hint'), /“Repair” welds them/);
     assert.match(await page.text('repair-list'), /would be welded: 224 parts would become 1, 224 borders would become 0/);
     await page.picture(kind);
     await page.act('repair');

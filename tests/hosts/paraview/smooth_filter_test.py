@@ -338,7 +338,7 @@ class Told(Case):
         clicks = [list(POINTS[v]) for v in LOOP]
         clicks[1][2] += 100
         filter = sheet(Points=[c for point in clicks for c in point])
-        self.assertRegex(self.error_of(filter), "At point 2: the mesh is")
+        self.assertRegex(self.error_of(filter), "At point 2: the mesh, which is [0-9.]+ large, lies [0-9.]+ away")
 
     def test_where_the_distance_is(self):
         filter = sheet(PointIds=TEXT, DistanceField=1)

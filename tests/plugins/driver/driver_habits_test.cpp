@@ -144,8 +144,8 @@ TEST_F(DriverHabits, ASoupIsToldToBeWeldedByVerdictAndRefusal) {
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   write_mesh(file("soup.ply"), soup);
-  const char* words[] = {"with --repair=weld the mesh", "1 part instead of 1200",
-                         "1 boundary loop instead of 1200 boundary loops"};
+  const char* words[] = {"with --repair=weld the mesh", "1 part instead of 1,200",
+                         "1 boundary loop instead of 1,200 boundary loops"};
   const Outcome info = run("info soup.ply");
   EXPECT_EQ(info.code, 0);
   for (const char* word : words) EXPECT_NE(info.out.find(word), std::string::npos) << info.out;
@@ -252,7 +252,7 @@ TEST_F(DriverHabits, ADrawingThatWasMovedFarIsTheFirstThingThatIsSaid) {
     EXPECT_NE(far.err.find("by up to 6 mesh units"), std::string::npos) << far.err;
     const Outcome farther = run(before + "farther.obj" + after);
     EXPECT_EQ(farther.code, 2);
-    EXPECT_NE(farther.err.find("the mesh is 20 away"), std::string::npos) << farther.err;
+    EXPECT_NE(farther.err.find("lies 20 away"), std::string::npos) << farther.err;
     EXPECT_EQ(run("-q " + before + "far.obj" + after).err, "");
   }
   ASSERT_EQ(run("smooth large.ply --curve far.obj --tau 3 --report r.json").code, 0);
