@@ -20,7 +20,7 @@ enum class RidgeKind {
   kConvex,   ///< ridges: edges of a solid, crests, margins that stand out
   kConcave,  ///< valleys: fissures, grooves, the foot of a wall
 };
-/// Of "both", "convex" and "concave". Throws Error(kBadUsage) for others.
+/// The kind with the name "both", "convex" or "concave". Throws Error(kBadUsage) for other names.
 RidgeKind ridge_kind(std::string_view name);
 
 /// Values are angles, so they do not depend on units. Nothing is computed before it is asked for:
@@ -50,7 +50,7 @@ class RidgeField {
     Point along_normal;             ///< the unit normal of the fit
     bool fitted = false;
   };
-  /// What is known of a vertex.
+  /// The values computed so far for a vertex.
   struct Known {
     std::optional<Point> normal;  ///< area-weighted
     std::optional<Turn> turn;

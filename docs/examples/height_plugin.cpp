@@ -17,7 +17,7 @@ class Height {
  public:
   explicit Height(const tp::Services& services) : services_(&services) {}
 
-  // What a host shows of it: from this it makes its panel, its options and its help.
+  // The description of the plugin, from which a host makes its panel, its options and its help.
   static talweg_plugin about() {
     talweg_plugin about = {};
     about.id = "example.height";

@@ -20,7 +20,7 @@ struct ReadMesh {
   std::vector<Polygon> polygons;         ///< of the file, in its numbers
 };
 
-/// What a mesh argument may be, for --help.
+/// The kinds of files that a mesh argument accepts, for --help.
 std::string mesh_help();
 
 /// Adds --repair[=LIST]; `list` stays empty without it.

@@ -1,5 +1,5 @@
 // The workplace opens a mesh, smooths drawings on it, puts curves onto it and measures distances.
-// It works on the caller's thread; SmoothingThread has a thread for it.
+// All work is done on the caller's thread; SmoothingThread has a thread of its own for a workplace.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// What plugins are on this system, and where they may lie.
+// Properties of the operating system that the loader needs: the ending of plugins, folders, the
+// program.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +14,7 @@ extern const char kBetweenFolders;       // ':'
 /// rights.
 std::string plugin_path();
 
-/// Where this program lies; empty where the system does not tell.
+/// The path of the running program; empty if the system does not tell the path.
 std::filesystem::path program_file();
 
 }  // namespace talweg::loader

@@ -60,7 +60,7 @@ def border_edges(faces):
 
 
 def distances(points, starts, ends):
-    """Of points to the nearest of some segments."""
+    """Distances of points to the nearest of some segments."""
     along = ends - starts
     squared = np.maximum((along ** 2).sum(axis=1), 1e-300)
     result = np.empty(len(points))
@@ -102,7 +102,7 @@ def _pieces(polydata):
 
 
 def judged(pieces, ms, vertices, faces, curve):
-    """What a table's line tells of two pieces."""
+    """The values of two pieces in a line of the table."""
     whole = area(vertices, faces)
     edge = np.linalg.norm(vertices[faces[:, 0]] - vertices[faces[:, 1]], axis=1).mean()
     smaller = min(pieces, key=lambda piece: area(*piece[:2]))

@@ -1,4 +1,4 @@
-"""What a cut, and a network of label borders, cost in Python beside the driver: whole processes.
+"""Times of a cut, and of a network of label borders, in Python beside the driver: whole processes.
 
     PYTHONPATH=plugins/hosts/python TALWEG_PLUGIN_PATH=build/lib/talweg/plugins \\
         /usr/bin/python3 tests/benchmarks/in_python.py build/bin/talweg MESH CURVE [LABELS] [RUNS]

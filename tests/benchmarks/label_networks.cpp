@@ -18,11 +18,11 @@
 namespace talweg::benchmarks {
 namespace {
 
-/// What several seeds came to; ratios and seconds are the worst, the rest sums.
+/// Results of several seeds: the largest ratios and seconds, and sums of all other values.
 struct Row {
   std::size_t borders = 0, tightened = 0, as_drawn = 0, not_whole = 0, beyond = 0;
   double curvature = 0, deviation = 0, seconds = 0;
-  // Of junctions and ends that may move.
+  // Junctions and ends that may move.
   std::size_t moved = 0;
   double imbalance_before = 0, imbalance_after = 0;
 };

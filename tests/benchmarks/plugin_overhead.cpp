@@ -1,4 +1,4 @@
-// What moving tau costs through the plugin interface, beside the library itself.
+// The time of a change of tau through the plugin interface, beside the time in the library itself.
 //   talweg-plugin-overhead MESH CURVE [ROUNDS]
 #include <algorithm>
 #include <cstdio>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace talweg;
 
-/// Of the process, so that other programs on the machine do not count.
+/// Processor time of this process, ms, so that other programs on the machine do not count.
 double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double median(std::vector<double> values) {

@@ -36,7 +36,7 @@ SmoothingOptions smoothing_options_of(const plugin::Parameters& parameters, cons
                                       std::span<const SurfaceCurve> drawn,
                                       const RepairMap* map = nullptr);
 
-/// What a choice of the parameter `points` means.
+/// The meaning of a choice of the parameter `points`.
 PointMeaning point_meaning(std::string_view choice);
 /// The reading of the drawing's points; `exact` are the points of the parameter "exact".
 PointOptions point_options(const plugin::Parameters& parameters, std::vector<SurfacePoint> exact);

@@ -12,7 +12,7 @@ jobs=${TALWEG_JOBS:-$(nproc)}
 configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
   source=$1 build=$2
   shift 2
-  # What ccache remembers of another folder would tell CMake that folder's paths.
+  # Entries of ccache from another folder would contain its paths, which CMake would read.
   { CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_WINDOWS="$out/root" \
       -DTALWEG_SUITESPARSE="$suitesparse" "$@" &&

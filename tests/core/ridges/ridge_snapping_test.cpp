@@ -47,7 +47,7 @@ struct Distances {
   double mean = 0, largest = 0;
 };
 
-/// Of the points of a curve from a line, seen from above.
+/// Distances of the points of a curve from a line, seen from above.
 Distances from_line(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                     const std::function<double(const Point&)>& away) {
   Distances distances;

@@ -55,7 +55,7 @@ import sys
 
 
 def mesh(name):
-    """Of the host's PLY, in text, or of an OFF file."""
+    """The vertices and faces of the host's PLY, in text, or of an OFF file."""
     lines = open(f"{sys.argv[1]}/{name}").read().splitlines()
     if name.endswith(".ply"):
         vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element "))

@@ -38,7 +38,7 @@ def two_curves(**properties):
 
 
 def taus(filter):
-    """Of each curve, in the report."""
+    """The tau of each curve in the report."""
     return column(output(filter, 2), "tau")[:-1]
 
 

@@ -1,5 +1,5 @@
-// What the driver says of arguments that are empty or misspelt, of names, units, places and sizes
-// that cannot be meant, and where it says it.
+// The driver's sentences on arguments that are empty or misspelt, and on names, units, places and
+// sizes that cannot be meant.
 #include <cstdlib>
 #include <filesystem>
 #include <string>

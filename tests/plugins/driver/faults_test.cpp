@@ -1,5 +1,5 @@
-// What the machine does to the driver: full disks, absent folders, little memory, signals, death.
-// Files are the old or the new ones, never half of one.
+// Faults of the machine: full disks, absent folders, little memory, signals, a killed driver. Every
+// file is the old or the new one, never half of one.
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -262,7 +262,7 @@ TEST_F(Faults, AFullDiskIsAnErrorAlsoForWhatIsPrinted) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "skipped: no /dev/full here";
   expect_failure("smooth mesh.ply --curve drawn.obj --report /dev/full", 2,
                  {"/dev/full", "No space left"});
-  // What follows the # is where the output would go otherwise.
+  // The shell ignores the redirection that run() appends after the #.
   EXPECT_EQ(run("info mesh.ply --json >/dev/full 2>err.log #").code, 2);
   EXPECT_NE(bytes_of(file("err.log")).find("standard output"), std::string::npos);
 }

@@ -317,7 +317,7 @@ TEST_F(LabelsCommand, GivesADroppedFaceTheLabelThatItHad) {
   const auto faces = labels_in("new.txt");
   ASSERT_EQ(faces.size(), lists.triangles.size() + 1);
   EXPECT_EQ(faces.back(), 4711);
-  // Of vertices: that of its first corner.
+  // With labels of vertices, the dropped face has the label of its first corner.
   const auto of_vertices = test::on_vertices(SurfaceMesh::open(lists).surface(), labels_);
   std::string text;
   for (const std::int64_t label : of_vertices) text += std::to_string(label) + "\n";

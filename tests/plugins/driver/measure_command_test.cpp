@@ -157,7 +157,7 @@ TEST_F(MeasureCommand, ComparesManyOneByOneOrAllTogether) {
   EXPECT_NEAR(pairs["deviation_to_other_mean"], 1.5, 1e-5);
   EXPECT_NEAR(pairs["length"], 2 * std::sqrt(101.0), 1e-9);
   EXPECT_EQ(pairs["other"]["curves"].size(), 2U);
-  // One against two: together. The upper one's copies are far from the only other.
+  // Two curves are compared with one all together. The upper curve lies far from the one.
   write("one.obj", lines({up(low, 1)}, false));
   const auto together = report("mesh.ply two.obj one.obj");
   EXPECT_FALSE(together["curves"][0].contains("deviation_to_other_max"));

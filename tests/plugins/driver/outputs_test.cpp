@@ -193,7 +193,7 @@ TEST_F(Outputs, ThatCannotBeWrittenAreFoundBeforeTheMeshIsRead) {
   EXPECT_FALSE(fs::exists(file("a.json")));
 }
 
-// What a format cannot hold is known only when the curve is there; the others are written.
+// A format that cannot hold the curve fails only after smoothing; the other files are written.
 TEST_F(Outputs, ThatFailDoNotTakeTheWorkFromTheOthers) {
   for (const char* command : {"smooth", "run talweg.smooth"}) {
     const std::string line = std::string(command) + " mesh.ply --curve curve.json ";

@@ -1,4 +1,4 @@
-// What 3D Slicer's people do with the driver: spaces, clicks, results as semilandmarks.
+// The driver with files of 3D Slicer: spaces, clicks, results as semilandmarks.
 #include <cmath>
 #include <string>
 #include <vector>
