@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/drawing/cone_detour.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
@@ -24,14 +25,114 @@ std::string gap_warning(const JoinedGaps& gaps) {
 }
 
 struct StraightLines::Workshop {
-  explicit Workshop(const Surface& surface)
-      : triangulation(surface), flip_out(triangulation), tracer(triangulation), dijkstra(surface) {}
+  struct Line {
+    std::vector<SurfacePoint> points;  ///< one if both ends lie at the same vertex
+    double length = 0;                 ///< mesh units
+  };
 
+  explicit Workshop(const Surface& lines_on)
+      : surface(lines_on),
+        triangulation(lines_on),
+        flip_out(triangulation),
+        tracer(triangulation),
+        dijkstra(lines_on) {}
+
+  /// A straight line near the edge path `between` two points, led to the other side of vertices
+  /// where that is shorter.
+  Line shortest_line(const SurfacePoint& from, const SurfacePoint& to,
+                     std::span<const VertexId> between, const Progress& progress);
+  /// The straight line in the isotopy class of an edge path `between` both points. If `pinned` is
+  /// valid, the path is straightened on both sides of this vertex first. Leaves the triangulation
+  /// as it was.
+  Line straightened(const SurfacePoint& from, const SurfacePoint& to,
+                    std::span<const VertexId> between, VertexId pinned, const Progress& progress);
+  /// The same, but inserted points and, after an exception, flips stay.
+  Line inserted_line(const SurfacePoint& from, const SurfacePoint& to,
+                     std::span<const VertexId> between, VertexId pinned, const Progress& progress);
+  /// The edge path through the vertices.
+  EdgePath connected(PointInsertion& insertion, std::span<const VertexId> vertices);
+  FlipOutResult::Path flipped(const EdgePath& path, const FlipOutOptions& options,
+                              const Progress& progress);
+
+  const Surface& surface;
   SignpostTriangulation triangulation;
   FlipOut flip_out;
   Tracer tracer;
   EdgeDijkstra dijkstra;
 };
+
+EdgePath StraightLines::Workshop::connected(PointInsertion& insertion,
+                                            std::span<const VertexId> vertices) {
+  std::vector<HalfedgeId> chain;
+  std::size_t since = insertion.split_count();
+  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+    chain = insertion.with_splits(chain, since);
+    insertion.connect(vertices[i], vertices[i + 1], chain);
+    since = insertion.split_count();
+  }
+  return EdgePath::make(triangulation, std::move(chain), false);
+}
+
+FlipOutResult::Path StraightLines::Workshop::flipped(const EdgePath& path,
+                                                     const FlipOutOptions& options,
+                                                     const Progress& progress) {
+  FlipOutResult straight = flip_out.run(std::span(&path, 1), options, progress);
+  if (straight.paths.front().termination == Termination::kCancelled) throw Cancelled();
+  return std::move(straight.paths.front());
+}
+
+StraightLines::Workshop::Line StraightLines::Workshop::inserted_line(
+    const SurfacePoint& from, const SurfacePoint& to, std::span<const VertexId> between,
+    VertexId pinned, const Progress& progress) {
+  PointInsertion insertion(triangulation);
+  const VertexId start = insertion.insert(from), end = insertion.insert(to);
+  if (start == end) return {{triangulation.location(start)}, 0};
+  std::vector<VertexId> vertices(between.begin(), between.end());
+  if (vertices.empty() || vertices.front() != start) vertices.insert(vertices.begin(), start);
+  if (vertices.back() != end) vertices.push_back(end);
+  EdgePath path = connected(insertion, vertices);
+  if (pinned.valid()) {
+    FlipOutOptions around;
+    around.pinned = {pinned};
+    path = flipped(path, around, progress).path;
+  }
+  const FlipOutResult::Path straight = flipped(path, {}, progress);
+  TraceResult traced = tracer.trace_and_undo(std::span(&straight.path, 1), progress);
+  return {std::move(traced.curves.front().points), straight.length_after};
+}
+
+StraightLines::Workshop::Line StraightLines::Workshop::straightened(
+    const SurfacePoint& from, const SurfacePoint& to, std::span<const VertexId> between,
+    VertexId pinned, const Progress& progress) {
+  const auto restore = [this] {
+    while (triangulation.flip_count() > 0) triangulation.undo_flip();
+    triangulation.remove_inserted();
+  };
+  try {
+    Line line = inserted_line(from, to, between, pinned, progress);
+    restore();
+    return line;
+  } catch (...) {
+    restore();
+    throw;
+  }
+}
+
+StraightLines::Workshop::Line StraightLines::Workshop::shortest_line(
+    const SurfacePoint& from, const SurfacePoint& to, std::span<const VertexId> between,
+    const Progress& progress) {
+  constexpr int kMostDetours = 16;
+  constexpr double kShorter = 1 - 1e-9;
+  Line line = straightened(from, to, between, {}, progress);
+  for (int k = 0; k < kMostDetours && line.points.size() > 2; ++k) {
+    const auto detour = cone_detour(triangulation, surface, line.points);
+    if (!detour) break;
+    Line other = straightened(from, to, detour->chain, detour->over, progress);
+    if (!(other.length < kShorter * line.length)) break;
+    line = std::move(other);
+  }
+  return line;
+}
 
 StraightLines::StraightLines(const Surface& surface) : surface_(&surface) {}
 StraightLines::StraightLines(StraightLines&&) noexcept = default;
@@ -57,59 +158,33 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
     return;
   }
   if (!workshop_) workshop_ = std::make_unique<Workshop>(*surface_);
-  SignpostTriangulation& triangulation = workshop_->triangulation;
-  try {
-    append_line(from, to, points, progress);
-  } catch (...) {
-    while (triangulation.flip_count() > 0) triangulation.undo_flip();
-    triangulation.remove_inserted();
-    throw;
-  }
-  triangulation.remove_inserted();
+  append_line(from, to, points, progress);
 }
 
-/// Appends the points of the straight line between two points that share no face. The points that
-/// this function inserts into the triangulation stay there.
+/// Appends the points of the straight line between two points that share no face.
 void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to,
                                 std::vector<SurfacePoint>& points, const Progress& progress) {
-  SignpostTriangulation& triangulation = workshop_->triangulation;
   const VertexId a = nearest_corner(from), b = nearest_corner(to);
-  std::vector<VertexId> vertices = {a};
+  std::vector<VertexId> between = {a};
   if (a != b) {
     const std::array<VertexId, 2> ends = {a, b};
-    vertices = workshop_->dijkstra.draw(ends, false, progress);
+    between = workshop_->dijkstra.draw(ends, false, progress);
   }
-  PointInsertion insertion(triangulation);
-  const VertexId start = insertion.insert(from), end = insertion.insert(to);
-  if (start == end) {  // both lie within rounding of one vertex, in different faces
-    points.push_back(triangulation.location(start));
+  const Workshop::Line line = workshop_->shortest_line(from, to, between, progress);
+  if (line.points.size() < 2) {  // both lie within rounding of one vertex, in different faces
+    points.insert(points.end(), line.points.begin(), line.points.end());
     return;
   }
-  if (vertices.front() != start) vertices.insert(vertices.begin(), start);
-  if (vertices.back() != end) vertices.push_back(end);
-  std::vector<HalfedgeId> chain;
-  std::size_t since = insertion.split_count();
-  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    chain = insertion.with_splits(chain, since);
-    insertion.connect(vertices[i], vertices[i + 1], chain);
-    since = insertion.split_count();
-  }
-  const std::array<EdgePath, 1> path = {EdgePath::make(triangulation, std::move(chain), false)};
-  const FlipOutResult straight = workshop_->flip_out.run(path, {}, progress);
-  if (straight.paths.front().termination == Termination::kCancelled) throw Cancelled();
-  legs_.push_back(straight.paths.front().length_after);
-  joined_.push_back(legs_.back());
-  const std::array<EdgePath, 1> result = {straight.paths.front().path};
-  const TraceResult traced = workshop_->tracer.trace_and_undo(result, progress);
-  const std::vector<SurfacePoint>& line = traced.curves.front().points;
+  legs_.push_back(line.length);
+  joined_.push_back(line.length);
   // A point within rounding of a vertex or an edge was inserted at this vertex or edge. The line
   // may then continue through a face that does not contain the point.
   const auto meets = [&](const SurfacePoint& p, const SurfacePoint& q) {
     return common_face(*surface_, p, q).valid();
   };
-  if (!meets(from, line[1])) points.push_back(line.front());
-  points.insert(points.end(), line.begin() + 1, line.end() - 1);
-  if (!meets(points.back(), to)) points.push_back(line.back());
+  if (!meets(from, line.points[1])) points.push_back(line.points.front());
+  points.insert(points.end(), line.points.begin() + 1, line.points.end() - 1);
+  if (!meets(points.back(), to)) points.push_back(line.points.back());
 }
 
 void StraightLines::find_gaps() {

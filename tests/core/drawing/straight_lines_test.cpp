@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <random>
 #include <span>
 #include <string>
 #include <vector>
@@ -105,6 +108,34 @@ TEST(StraightLines, BetweenTwoPointsThatAreAsNearToAVertexAsRounding) {
   expect_joined(surface, line);
   ASSERT_EQ(line.points.size(), 3U);
   EXPECT_EQ(line.points[1], SurfacePoint::at_vertex(surface, middle));
+}
+
+/// The shortest way over a unit cube from (x, y) on its top to (s, t) on its front, where y is the
+/// distance of the first and t that of the second point to their common edge: over this edge, or
+/// by way of the left or the right side, unfolded into the plane by hand.
+double shortest_over_cube(double x, double y, double s, double t) {
+  return std::min(
+      {std::hypot(x - s, y + t), std::hypot(y + s, x + t), std::hypot(y + 1 - s, 1 - x + t)});
+}
+
+TEST(StraightLines, AreTheShortestOverACubeOfTwelveTriangles) {
+  MeshLists cube;
+  for (int k = 0; k < 8; ++k) cube.points.emplace_back(k >> 2, (k >> 1) & 1, k & 1);
+  cube.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
+                    {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 5, 7}, {1, 7, 3}};
+  const SurfaceMesh mesh = SurfaceMesh::open(cube);
+  StraightLines lines(mesh.surface());
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> at(0.01, 0.99);
+  for (int k = 0; k < 500; ++k) {
+    const double x = at(random), y = at(random), s = at(random), t = at(random);
+    const std::vector<Point> ends = {Point(x, y, 1), Point(s, 0, 1 - t)};
+    const SnappedCurve snapped = snap(mesh, CurveInput{false, ends, {}});
+    const SurfaceCurve line = lines.join(snapped.points, false);
+    expect_joined(mesh.surface(), line);
+    EXPECT_NEAR(curve_length(mesh.surface(), line), shortest_over_cube(x, y, s, t), 1e-9)
+        << x << " " << y << " " << s << " " << t;
+  }
 }
 
 }  // namespace
