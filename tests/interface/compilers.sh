@@ -10,6 +10,7 @@ export TALWEG_PLUGIN_PATH
 for pair in "gcc g++" "clang clang++"; do
   set -- $pair
   mkdir -p "$folder/$1"
+  rm -f "$folder/$1"/*.o
   $1 -std=c11 -O1 -fPIC -fvisibility=hidden -shared -I"$build/include" \
     "$project/tests/plugins/toys/toy.c" -o "$folder/$1/toy.so"
   $2 -std=c++20 -O0 -fPIC -fvisibility=hidden -shared -I"$build/include" \
