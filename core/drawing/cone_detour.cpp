@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "talweg/intrinsic/exact_distance/polyline_pieces.hpp"
