@@ -43,7 +43,7 @@ cp "$project"/plugins/interface/*.h "$project"/plugins/interface/*.hpp "$tree/in
 
 # Licences of all that is inside.
 licences=$tree/lib/talweg/plugins/licences
-cp -r "$out/root/licences" "$licences"
+(cd "$out/root" && cp -r licences "$licences")
 cp "$project/LICENSE" "$licences/talweg"
 for package in gcc-mingw-w64-x86-64-posix mingw-w64-x86-64-dev libopenmesh-dev libeigen3-dev libfmt-dev \
   nlohmann-json3-dev libcli11-dev libxxhash-dev; do

@@ -29,7 +29,7 @@ class Answer {
  public:
   Json json = Json::object();
 
-  /// Keeps the numbers; returns their placeholder in the JSON.
+  /// Keeps the numbers; returns the JSON value that refers to them.
   template <class Number>
   Json array(std::vector<Number> values) {
     auto kept = std::make_shared<const std::vector<Number>>(std::move(values));
