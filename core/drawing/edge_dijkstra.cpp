@@ -1,6 +1,7 @@
 #include "talweg/core/drawing/edge_dijkstra.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,35 @@ namespace {
 constexpr std::size_t kOfEntry = 8;  // units of work
 
 std::string text(VertexId v) { return std::to_string(v.index()); }
+
+/// The way beyond a vertex that is one of `ends`; infinite if the vertex is none of them.
+double beyond(std::span<const PathEnd> ends, VertexId vertex) {
+  double least = HUGE_VAL;
+  for (const PathEnd& end : ends) {
+    if (end.vertex == vertex) least = std::min(least, end.beyond);
+  }
+  return least;
+}
+
+/// The end of the shortest path so far, and its length with the way beyond. Of equally long paths,
+/// the path to the smallest vertex counts.
+struct Shortest {
+  VertexId end;
+  double length = HUGE_VAL;
+
+  void add(VertexId vertex, double with_beyond) {
+    if (with_beyond > length || std::isinf(with_beyond)) return;
+    if (with_beyond == length && end < vertex) return;
+    end = vertex;
+    length = with_beyond;
+  }
+};
+
+double least_beyond(std::span<const PathEnd> ends) {
+  double least = HUGE_VAL;
+  for (const PathEnd& end : ends) least = std::min(least, end.beyond);
+  return least;
+}
 
 }  // namespace
 
@@ -136,26 +166,43 @@ void EdgeDijkstra::check(std::span<const VertexId> through) const {
   }
 }
 
+std::vector<VertexId> EdgeDijkstra::between(std::span<const PathEnd> starts,
+                                            std::span<const PathEnd> ends,
+                                            const Progress& progress) {
+  poller_ = ProgressPoller(progress, "draw");
+  ++drawing_;
+  const VertexId end = search({starts, ends});
+  if (!end.valid()) no_path(1, starts.front().vertex, ends.front().vertex);
+  return path_to(end);
+}
+
 bool EdgeDijkstra::append_leg(VertexId from, VertexId to, bool not_along_edge,
                               std::vector<VertexId>& path) {
-  if (!search(from, to, not_along_edge, /*obey_blocks=*/true)) return false;
-  const std::size_t first_new = path.size();
-  for (VertexId v = to; v != from; v = parent_[v.index()]) path.push_back(v);
-  std::reverse(path.begin() + static_cast<std::ptrdiff_t>(first_new), path.end());
+  const PathEnd start{from}, end{to};
+  if (!search({{&start, 1}, {&end, 1}, not_along_edge}).valid()) return false;
+  const std::vector<VertexId> leg = path_to(to);
+  path.insert(path.end(), leg.begin() + 1, leg.end());
   return true;
 }
 
-bool EdgeDijkstra::search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks) {
+/// The path that the last search found to a vertex.
+std::vector<VertexId> EdgeDijkstra::path_to(VertexId end) const {
+  std::vector<VertexId> path;
+  for (VertexId v = end; v.valid(); v = parent_[v.index()]) path.push_back(v);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+VertexId EdgeDijkstra::search(const Task& task) {
   constexpr std::size_t kPatience = 16;  // searches of the whole mesh; landmarks cost nine
   if (!landmarks_ && looked_at_ > kPatience * surface_->vertex_count()) {
-    landmarks_ = std::make_unique<EdgeLandmarks>(*surface_, from, poller_);
+    landmarks_ = std::make_unique<EdgeLandmarks>(*surface_, task.starts.front().vertex, poller_);
   }
-  if (landmarks_ && obey_blocks) {
-    search_with_landmarks(from, to, not_along_edge);
-    if (!reached(to)) return false;
-    if (find_parents(from, to, not_along_edge)) return true;
+  if (landmarks_ && task.obey_blocks) {
+    const VertexId end = search_with_landmarks(task);
+    if (!end.valid() || find_parents(task, end)) return end;
   }
-  return search_around(from, to, not_along_edge, obey_blocks);
+  return search_around(task);
 }
 
 /// Calls `visit` with each neighbour and the length of the edge to it.
@@ -165,11 +212,20 @@ void EdgeDijkstra::visit_neighbours(VertexId vertex, const Visit& visit) const {
                  [&](HalfedgeId h) { visit(surface_->head(h), surface_->length(edge_of(h))); });
 }
 
-bool EdgeDijkstra::search_around(VertexId from, VertexId to, bool not_along_edge,
-                                 bool obey_blocks) {
+/// True if no path may use the edge between two neighbours.
+bool EdgeDijkstra::closed_way(const Task& task, VertexId from, VertexId to) const {
+  if (task.obey_blocks && blocked(to) && std::isinf(beyond(task.ends, to))) return true;
+  return task.not_along_edge && std::isfinite(beyond(task.starts, from)) &&
+         std::isfinite(beyond(task.ends, to));
+}
+
+VertexId EdgeDijkstra::search_around(const Task& task) {
   ++search_;
   heap_.clear();
-  reach(from, VertexId{}, 0);
+  for (const PathEnd& start : task.starts) reach(start.vertex, VertexId{}, start.beyond);
+  std::make_heap(heap_.begin(), heap_.end(), later);
+  Shortest best;
+  const double least = least_beyond(task.ends);
   while (!heap_.empty()) {
     poller_.add_work(kOfEntry);
     std::pop_heap(heap_.begin(), heap_.end(), later);
@@ -178,68 +234,71 @@ bool EdgeDijkstra::search_around(VertexId from, VertexId to, bool not_along_edge
     if (settled_stamp_[top.vertex.index()] == search_) continue;
     settled_stamp_[top.vertex.index()] = search_;
     ++looked_at_;
-    if (top.vertex == to) return true;
+    if (top.distance + least > best.length) break;
+    best.add(top.vertex, top.distance + beyond(task.ends, top.vertex));
     visit_neighbours(top.vertex, [&](VertexId v, double length) {
-      const bool closed_way = (obey_blocks && v != to && blocked(v)) ||
-                              (not_along_edge && top.vertex == from && v == to);
-      if (closed_way || settled_stamp_[v.index()] == search_) return;
+      if (settled_stamp_[v.index()] == search_ || closed_way(task, top.vertex, v)) return;
       const std::size_t size = heap_.size();
       reach(v, top.vertex, top.distance + length);
       if (heap_.size() > size) std::push_heap(heap_.begin(), heap_.end(), later);
     });
   }
-  return false;
+  return best.end;
 }
 
 /// A* search. The distances of all vertices on shortest paths are those of search_around(): a
 /// vertex is visited again when a shorter path to it is found, and the search ends only when no
 /// other path can be as short, up to rounding.
-void EdgeDijkstra::search_with_landmarks(VertexId from, VertexId to, bool not_along_edge) {
+VertexId EdgeDijkstra::search_with_landmarks(const Task& task) {
   constexpr double kAsShort = 1 + 1e-9;
   ++search_;
   heap_.clear();
-  landmarks_->aim(to);
+  landmarks_->aim(task.ends);
+  Shortest best;
   const auto go_to = [&](VertexId v, double distance) {
     if (reached(v) && distance >= distance_[v.index()]) return;
     reach_stamp_[v.index()] = search_;
     distance_[v.index()] = distance;
     heap_.push_back({distance + landmarks_->bound(v), v});
     std::push_heap(heap_.begin(), heap_.end(), later);
+    best.add(v, distance + beyond(task.ends, v));
   };
-  go_to(from, 0);
+  for (const PathEnd& start : task.starts) go_to(start.vertex, start.beyond);
   while (!heap_.empty()) {
     poller_.add_work(kOfEntry);
     std::pop_heap(heap_.begin(), heap_.end(), later);
     const Entry top = heap_.back();
     heap_.pop_back();
-    if (reached(to) && top.distance > kAsShort * distance_[to.index()]) return;
+    if (top.distance > kAsShort * best.length) break;
     const double here = distance_[top.vertex.index()];
-    if (top.vertex == to || top.distance > here + landmarks_->bound(top.vertex)) continue;
+    if (here >= best.length || top.distance > here + landmarks_->bound(top.vertex)) continue;
     visit_neighbours(top.vertex, [&](VertexId v, double length) {
-      const bool closed_way =
-          (v != to && blocked(v)) || (not_along_edge && top.vertex == from && v == to);
-      if (!closed_way) go_to(v, here + length);
+      if (!closed_way(task, top.vertex, v)) go_to(v, here + length);
     });
   }
+  return best.end;
 }
 
-/// Sets the parents along the path back from `to`: the smallest predecessor on a shortest path.
+/// Sets the parents along the path back from `end`: the smallest predecessor on a shortest path.
 /// False if the length of an edge vanishes beside the distance, since the order of the search in
 /// search_around() then decides.
-bool EdgeDijkstra::find_parents(VertexId from, VertexId to, bool not_along_edge) {
-  for (VertexId v = to; v != from; v = parent_[v.index()]) {
+bool EdgeDijkstra::find_parents(const Task& task, VertexId end) {
+  VertexId v = end;
+  while (distance_[v.index()] < beyond(task.starts, v)) {
     const double distance = distance_[v.index()];
     VertexId parent;
     bool without_length = false;
     visit_neighbours(v, [&](VertexId u, double length) {
-      if (!reached(u) || u == to || (not_along_edge && v == to && u == from)) return;
+      if (!reached(u) || closed_way(task, u, v)) return;
       if (distance_[u.index()] + length != distance) return;
       without_length = without_length || !(distance_[u.index()] < distance);
       if (!parent.valid() || u < parent) parent = u;
     });
     if (without_length || !parent.valid()) return false;
     parent_[v.index()] = parent;
+    v = parent;
   }
+  parent_[v.index()] = {};
   return true;
 }
 
@@ -247,7 +306,7 @@ bool EdgeDijkstra::find_parents(VertexId from, VertexId to, bool not_along_edge)
 void EdgeDijkstra::reach(VertexId vertex, VertexId from, double distance) {
   const std::size_t v = vertex.index();
   if (reached(vertex) && distance >= distance_[v]) {
-    if (distance == distance_[v] && from < parent_[v]) parent_[v] = from;
+    if (distance == distance_[v] && parent_[v].valid() && from < parent_[v]) parent_[v] = from;
     return;
   }
   reach_stamp_[v] = search_;
@@ -259,7 +318,8 @@ void EdgeDijkstra::reach(VertexId vertex, VertexId from, double distance) {
 void EdgeDijkstra::no_path(std::size_t leg, VertexId from, VertexId to) {
   const std::string name =
       "Leg " + std::to_string(leg) + " from vertex " + text(from) + " to vertex " + text(to);
-  if (search(from, to, false, /*obey_blocks=*/false)) {
+  const PathEnd start{from}, end{to};
+  if (search({{&start, 1}, {&end, 1}, false, /*obey_blocks=*/false}).valid()) {
     throw Error(ErrorCode::kBadCurve,
                 name + " has no path: the rest of the drawing is in its way everywhere.");
   }

@@ -15,6 +15,12 @@ namespace talweg {
 
 class EdgeLandmarks;
 
+/// A vertex where an edge path may begin or end, for a path between points beside the vertices.
+struct PathEnd {
+  VertexId vertex;
+  double beyond = 0;  ///< length of the way from the vertex to the point, mesh units
+};
+
 /// Dijkstra's algorithm on the edges of a surface, with memory that is allocated once. A call that
 /// visits m edges costs O(m log m), whatever the size of the mesh; a leg of length r visits a disc
 /// of radius r. After searches that together visited 16 times the whole mesh, the object
@@ -50,7 +56,19 @@ class EdgeDijkstra {
   std::vector<VertexId> redraw(std::span<const VertexId> path, std::span<const VertexId> through,
                                std::size_t moved, bool closed, const Progress& progress = {});
 
+  /// The shortest of the edge paths from one of `starts` to one of `ends`, with the ways beyond
+  /// both; a single vertex if this is a start and an end. Throws Error(kBadCurve) if no path leads
+  /// from any start to any end, and Cancelled when `progress` (stage "draw") says so.
+  std::vector<VertexId> between(std::span<const PathEnd> starts, std::span<const PathEnd> ends,
+                                const Progress& progress = {});
+
  private:
+  /// The paths among which search() finds the shortest.
+  struct Task {
+    std::span<const PathEnd> starts, ends;
+    bool not_along_edge = false;  ///< the edge from a start to an end is no path
+    bool obey_blocks = true;      ///< blocked vertices are passed by
+  };
   struct Entry {
     double distance;  ///< from the start; with landmarks, a bound of the whole path
     VertexId vertex;
@@ -63,11 +81,14 @@ class EdgeDijkstra {
   bool append_redrawn(VertexId from, VertexId over, VertexId to, std::vector<VertexId>& path);
   /// Appends the path from the vertex after `from` up to `to`; false where no path exists.
   bool append_leg(VertexId from, VertexId to, bool not_along_edge, std::vector<VertexId>& path);
-  /// Finds a path to `to` and keeps it in parent_; false where no path exists.
-  bool search(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
-  bool search_around(VertexId from, VertexId to, bool not_along_edge, bool obey_blocks);
-  void search_with_landmarks(VertexId from, VertexId to, bool not_along_edge);
-  bool find_parents(VertexId from, VertexId to, bool not_along_edge);
+  /// Finds the shortest path, keeps it in parent_ and returns its end; invalid where no path
+  /// exists.
+  VertexId search(const Task& task);
+  VertexId search_around(const Task& task);
+  VertexId search_with_landmarks(const Task& task);
+  bool find_parents(const Task& task, VertexId end);
+  [[nodiscard]] std::vector<VertexId> path_to(VertexId end) const;
+  [[nodiscard]] bool closed_way(const Task& task, VertexId from, VertexId to) const;
   template <class Visit>
   void visit_neighbours(VertexId vertex, const Visit& visit) const;
   void reach(VertexId vertex, VertexId from, double distance);

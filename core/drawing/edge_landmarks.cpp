@@ -63,12 +63,26 @@ EdgeLandmarks::EdgeLandmarks(const Surface& surface, VertexId inside, ProgressPo
   }
 }
 
+void EdgeLandmarks::aim(std::span<const PathEnd> ends) {
+  goal_from_.fill(HUGE_VALF);
+  goal_to_.fill(0);
+  for (const PathEnd& end : ends) {
+    const Distances& there = of_vertex_[end.vertex.index()];
+    const auto beyond = static_cast<float>(end.beyond);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      goal_from_[k] = std::min(goal_from_[k], there[k] + beyond);
+      goal_to_[k] = std::max(goal_to_[k], there[k] - beyond);
+    }
+  }
+}
+
 double EdgeLandmarks::bound(VertexId vertex) const {
   constexpr float kRounding = 2 * std::numeric_limits<float>::epsilon();
   const Distances& here = of_vertex_[vertex.index()];
   float best = 0;
   for (std::size_t k = 0; k < kCount; ++k) {
-    const float gap = std::abs(here[k] - goal_[k]) - kRounding * (here[k] + goal_[k]);
+    const float gap = std::max(goal_from_[k] - here[k], here[k] - goal_to_[k]) -
+                      kRounding * (here[k] + goal_from_[k]);
     best = gap > best && std::isfinite(gap) ? gap : best;
   }
   return best;

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
+#include "talweg/core/drawing/edge_dijkstra.hpp"
 #include "talweg/intrinsic/progress.hpp"
 #include "talweg/intrinsic/surface/ids.hpp"
 #include "talweg/intrinsic/surface/surface.hpp"
@@ -19,7 +21,8 @@ class EdgeLandmarks {
   /// chosen before. O(n log n) for n vertices, 32 bytes for each. Throws Cancelled.
   EdgeLandmarks(const Surface& surface, VertexId inside, ProgressPoller& poller);
 
-  void aim(VertexId goal) { goal_ = of_vertex_[goal.index()]; }
+  /// Makes the point behind the `ends` of paths the goal.
+  void aim(std::span<const PathEnd> ends);
   /// A lower bound of the distance from the vertex to the goal, mesh units; 0 in other components.
   [[nodiscard]] double bound(VertexId vertex) const;
 
@@ -28,7 +31,10 @@ class EdgeLandmarks {
   using Distances = std::array<float, kCount>;  ///< infinite in other components
 
   std::vector<Distances> of_vertex_;
-  Distances goal_ = {};
+  // A path from a vertex v to an end t is at least as long as the distances of t and v from a
+  // landmark differ. The least of all ends, with the ways beyond them, needs two numbers.
+  Distances goal_from_ = {};  ///< least of distance(t) + beyond: how far the goal is at least
+  Distances goal_to_ = {};    ///< most of distance(t) - beyond
 };
 
 }  // namespace talweg

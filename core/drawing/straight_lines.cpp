@@ -24,6 +24,36 @@ std::string gap_warning(const JoinedGaps& gaps) {
       gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
 }
 
+namespace {
+
+/// Appends the corners of a face at which edge paths to a point of the face may end.
+void append_corners(const Surface& surface, const SurfacePoint& point, FaceId face,
+                    std::vector<PathEnd>& ends) {
+  const FaceCoordinates at = coordinates_in(surface, point, face);
+  for (std::size_t k = 0; k < 3; ++k) {
+    FaceCoordinates corner{face, {0, 0, 0}};
+    corner.barycentric[k] = 1;
+    ends.push_back({surface.corners(face)[k], distance_in_face(surface, at, corner)});
+  }
+}
+
+/// The vertices nearest to a point: itself, or the corners of the faces in which the point lies.
+std::vector<PathEnd> corners_around(const Surface& surface, const SurfacePoint& point) {
+  if (const auto* v = std::get_if<AtVertex>(&point.where())) return {{v->vertex}};
+  std::vector<PathEnd> ends;
+  if (const auto* on = std::get_if<OnEdge>(&point.where())) {
+    const HalfedgeId h = halfedge_of(on->edge);
+    for (const HalfedgeId side : {h, twin(h)}) {
+      if (surface.has_face(side)) append_corners(surface, point, surface.face(side), ends);
+    }
+  } else {
+    append_corners(surface, point, any_face(surface, point), ends);
+  }
+  return ends;
+}
+
+}  // namespace
+
 struct StraightLines::Workshop {
   struct Line {
     std::vector<SurfacePoint> points;  ///< one if both ends lie at the same vertex
@@ -139,16 +169,6 @@ StraightLines::StraightLines(StraightLines&&) noexcept = default;
 StraightLines& StraightLines::operator=(StraightLines&&) noexcept = default;
 StraightLines::~StraightLines() = default;
 
-VertexId StraightLines::nearest_corner(const SurfacePoint& point) const {
-  if (const auto* v = std::get_if<AtVertex>(&point.where())) return v->vertex;
-  const FaceCoordinates at = coordinates_in(*surface_, point, any_face(*surface_, point));
-  std::size_t best = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (at.barycentric[k] > at.barycentric[best]) best = k;
-  }
-  return surface_->corners(at.face)[best];
-}
-
 void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
                                std::vector<SurfacePoint>& points, const Progress& progress) {
   points.push_back(from);
@@ -164,12 +184,8 @@ void StraightLines::append_leg(const SurfacePoint& from, const SurfacePoint& to,
 /// Appends the points of the straight line between two points that share no face.
 void StraightLines::append_line(const SurfacePoint& from, const SurfacePoint& to,
                                 std::vector<SurfacePoint>& points, const Progress& progress) {
-  const VertexId a = nearest_corner(from), b = nearest_corner(to);
-  std::vector<VertexId> between = {a};
-  if (a != b) {
-    const std::array<VertexId, 2> ends = {a, b};
-    between = workshop_->dijkstra.draw(ends, false, progress);
-  }
+  const std::vector<VertexId> between = workshop_->dijkstra.between(
+      corners_around(*surface_, from), corners_around(*surface_, to), progress);
   const Workshop::Line line = workshop_->shortest_line(from, to, between, progress);
   if (line.points.size() < 2) {  // both lie within rounding of one vertex, in different faces
     points.insert(points.end(), line.points.begin(), line.points.end());

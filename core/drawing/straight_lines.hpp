@@ -41,10 +41,11 @@ class StraightLines {
   ~StraightLines();
 
   /// A curve through the points, in order. Two points of a common face are joined inside it. Other
-  /// points are joined by the geodesic that FlipOut finds from a shortest edge path, which is
-  /// locally, not always globally, shortest. Successive points that coincide count as one. Throws
-  /// Error(kBadCurve) when two points lie on different components, or when fewer than two different
-  /// points (three if closed) remain; throws Cancelled when `progress` (stage "draw") says so.
+  /// points are joined by the geodesic that FlipOut finds from the shortest edge path between
+  /// corners of their faces. It is no longer than this path, and locally, not always globally,
+  /// shortest. Successive points that coincide count as one. Throws Error(kBadCurve) when two
+  /// points lie on different components, or when fewer than two different points (three if closed)
+  /// remain; throws Cancelled when `progress` (stage "draw") says so.
   SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
                     const Progress& progress = {});
   /// The gaps found by the last join().
@@ -55,7 +56,6 @@ class StraightLines {
                   std::vector<SurfacePoint>& points, const Progress& progress);
   void append_line(const SurfacePoint& from, const SurfacePoint& to,
                    std::vector<SurfacePoint>& points, const Progress& progress);
-  [[nodiscard]] VertexId nearest_corner(const SurfacePoint& point) const;
 
   /// Takes O(mesh) memory; needed only where two points share no face.
   struct Workshop;

@@ -11,6 +11,7 @@
 #include "tools/picture/camera.hpp"
 #include "tools/picture/caption.hpp"
 #include "tools/picture/corner_normals.hpp"
+#include "tools/picture/outward.hpp"
 #include "tools/picture/sample_buffer.hpp"
 #include "tools/picture/scene_check.hpp"
 #include "tools/picture/shading.hpp"
@@ -25,7 +26,7 @@ constexpr double kDetailEdges = 5;  // radius of a detail without a radius
 
 // The data that all panels of a picture share.
 struct Studio {
-  const Scene& scene;
+  Scene scene;
   const RenderOptions& options;
   std::vector<Eigen::Vector3f> normals;
   Point up;
@@ -260,14 +261,18 @@ void draw_panel(Studio& studio, const Panel& panel, std::size_t left, Image& ima
                to_linear({0.2, 0.2, 0.22}));
 }
 
-Studio studio_of(const Scene& scene, const RenderOptions& options) {
+Scene seen_from_outside(Scene scene) {
   check_scene(scene);
-  return {scene,
-          options,
-          corner_normals(scene.mesh),
-          upright_of(scene),
-          {},
-          mean_edge_length(scene.mesh)};
+  scene.mesh = turned_outward(std::move(scene.mesh));
+  return scene;
+}
+
+Studio studio_of(const Scene& given, const RenderOptions& options) {
+  Studio studio{seen_from_outside(given), options, {}, {}, {}};
+  studio.normals = corner_normals(studio.scene.mesh);
+  studio.up = upright_of(studio.scene);
+  studio.mean_edge = mean_edge_length(studio.scene.mesh);
+  return studio;
 }
 
 // A white line at the right of a panel.
@@ -318,8 +323,8 @@ Detail turning_detail(const Scene& scene, const std::optional<Point>& view) {
   return detail;
 }
 
-Detail detail_at(const Scene& scene, const Point& center, double radius) {
-  check_scene(scene);
+Detail detail_at(const Scene& given, const Point& center, double radius) {
+  const Scene scene = seen_from_outside(given);
   if (!(radius > 0)) radius = kDetailEdges * mean_edge_length(scene.mesh);
   const std::vector<Eigen::Vector3f> normals = corner_normals(scene.mesh);
   const Point normal = normal_around(scene.mesh, normals, center, radius);

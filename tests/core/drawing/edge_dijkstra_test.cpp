@@ -71,6 +71,43 @@ TEST(Drawing, AgreesWithBellmanFordOnASphere) {
   }
 }
 
+TEST(Drawing, TakesTheBestPairOfStartsAndEnds) {
+  const Surface surface = surface_of_lists(test::sphere(2));
+  EdgeDijkstra dijkstra(surface);
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::uint32_t> vertex(
+      0, static_cast<std::uint32_t>(surface.vertex_count() - 1));
+  std::uniform_real_distribution<double> way(0, 1);
+  for (int k = 0; k < 300; ++k) {  // the last searches are those with landmarks
+    std::vector<PathEnd> starts, ends;
+    for (int i = 0; i < 3; ++i) {
+      starts.push_back({VertexId{vertex(random)}, way(random)});
+      ends.push_back({VertexId{vertex(random)}, way(random)});
+    }
+    double shortest = HUGE_VAL;
+    for (const PathEnd& a : starts) {
+      for (const PathEnd& b : ends) {
+        double length = a.beyond + b.beyond;
+        if (a.vertex != b.vertex) {
+          length += length_of(surface, draw_edge_path(surface, std::vector{a.vertex, b.vertex}));
+        }
+        shortest = std::min(shortest, length);
+      }
+    }
+    const std::vector<VertexId> path = dijkstra.between(starts, ends);
+    const auto beyond = [](const std::vector<PathEnd>& of, VertexId v) {
+      double least = HUGE_VAL;
+      for (const PathEnd& end : of) {
+        if (end.vertex == v) least = std::min(least, end.beyond);
+      }
+      return least;
+    };
+    EXPECT_NEAR(beyond(starts, path.front()) + length_of(surface, path) + beyond(ends, path.back()),
+                shortest, 1e-12)
+        << k;
+  }
+}
+
 TEST(Drawing, KeepsItsWayPointsInOrderAndMeetsNoVertexTwice) {
   const Surface surface = surface_of_lists(test::sphere(3));
   const auto through = ids({0, 2, 1, 3});

@@ -53,7 +53,8 @@ TEST(EdgeLandmarks, BoundDistancesFromBelow) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(20, 20));
   ProgressPoller poller({}, "draw");
   EdgeLandmarks landmarks(mesh.surface(), VertexId{220U}, poller);
-  landmarks.aim(VertexId{0U});
+  const PathEnd goal{VertexId{0U}};
+  landmarks.aim({&goal, 1});
   EXPECT_EQ(landmarks.bound(VertexId{0U}), 0);
   // Along the lower side from its corner: the landmark there is exact, but for single precision.
   for (std::size_t x = 1; x <= 20; ++x) {

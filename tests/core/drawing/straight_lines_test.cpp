@@ -138,5 +138,83 @@ TEST(StraightLines, AreTheShortestOverACubeOfTwelveTriangles) {
   }
 }
 
+/// The way from a point to another over an open square tube of side 1, unrolled into the plane.
+double shortest_over_tube(double u, double v, double s, double t) {
+  constexpr double kAround = 4;
+  const double across = std::min(std::abs(u - s), kAround - std::abs(u - s));
+  return std::hypot(across, v - t);
+}
+
+Point on_tube(double u, double v) {
+  const double along = u - std::floor(u);
+  switch (static_cast<int>(u)) {
+    case 0:
+      return {along, 0, v};
+    case 1:
+      return {1, along, v};
+    case 2:
+      return {1 - along, 1, v};
+    default:
+      return {0, 1 - along, v};
+  }
+}
+
+MeshLists square_tube(std::uint32_t height) {
+  MeshLists tube;
+  for (std::uint32_t ring = 0; ring <= height; ++ring) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      tube.points.push_back(on_tube(k, ring));
+      if (ring == 0) continue;
+      const std::uint32_t a = 4 * (ring - 1) + k, b = 4 * (ring - 1) + (k + 1) % 4;
+      tube.triangles.push_back({a, b, b + 4});
+      tube.triangles.push_back({a, b + 4, a + 4});
+    }
+  }
+  return tube;
+}
+
+/// The length of the shortest way between two points that goes along edges from a corner of the
+/// first point's face to a corner of the second point's.
+double shortest_along_edges(const SurfaceMesh& mesh, const SurfacePoint& from,
+                            const SurfacePoint& to) {
+  const auto corners = [&](const SurfacePoint& p) {
+    return mesh.surface().corners(any_face(mesh.surface(), p));
+  };
+  double shortest = HUGE_VAL;
+  for (const VertexId a : corners(from)) {
+    for (const VertexId b : corners(to)) {
+      std::vector<VertexId> path = {a};
+      if (a != b) path = draw_edge_path(mesh.surface(), std::vector{a, b});
+      double length = 0;
+      Point before = mesh.position(from);
+      for (const VertexId v : path) {
+        const Point at = mesh.position(SurfacePoint::at_vertex(mesh.surface(), v));
+        length += (at - before).norm();
+        before = at;
+      }
+      shortest = std::min(shortest, length + (mesh.position(to) - before).norm());
+    }
+  }
+  return shortest;
+}
+
+TEST(StraightLines, AreNoLongerThanAnyEdgePathFromCornerToCorner) {
+  const SurfaceMesh mesh = SurfaceMesh::open(square_tube(3));
+  StraightLines lines(mesh.surface());
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> around(0.01, 3.99), along(0.01, 2.99);
+  for (int k = 0; k < 500; ++k) {
+    const double u = around(random), v = along(random), s = around(random), t = along(random);
+    const std::vector<Point> ends = {on_tube(u, v), on_tube(s, t)};
+    const SnappedCurve snapped = snap(mesh, CurveInput{false, ends, {}});
+    const SurfaceCurve line = lines.join(snapped.points, false);
+    expect_joined(mesh.surface(), line);
+    const double length = curve_length(mesh.surface(), line);
+    EXPECT_GT(length, shortest_over_tube(u, v, s, t) - 1e-9);
+    EXPECT_LE(length, shortest_along_edges(mesh, snapped.points[0], snapped.points[1]) + 1e-9)
+        << u << " " << v << " " << s << " " << t;
+  }
+}
+
 }  // namespace
 }  // namespace talweg

@@ -13,6 +13,7 @@
 #include "tools/picture/corner_normals.hpp"
 #include "tools/picture/face_colors.hpp"
 #include "tools/picture/image.hpp"
+#include "tools/picture/outward.hpp"
 #include "tools/picture/render.hpp"
 #include "tools/picture/sample_buffer.hpp"
 
@@ -165,11 +166,26 @@ TEST(Render, ACurveBehindTheSurfaceIsHidden) {
   EXPECT_GT(count_red(render(scene, plain())), 100U);
 }
 
-TEST(Render, TheViewIsFromASideThatShowsTheCurve) {
+MeshLists unit_box() {
   MeshLists box;
   for (int i = 0; i < 8; ++i) box.points.emplace_back(i & 1, (i >> 1) & 1, i >> 2);
   box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return box;
+}
+
+TEST(TurnedOutward, TurnsClosedMeshesOnly) {
+  const MeshLists box = unit_box();
+  EXPECT_EQ(turned_outward(box).triangles, box.triangles);
+  MeshLists inside_out = box;
+  for (Triangle& t : inside_out.triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(turned_outward(inside_out).triangles, box.triangles);
+  inside_out.triangles.resize(10);  // without a side: its inside may well be shown
+  EXPECT_EQ(turned_outward(inside_out).triangles, inside_out.triangles);
+}
+
+TEST(Render, TheViewIsFromASideThatShowsTheCurve) {
+  const MeshLists box = unit_box();
   const std::vector<std::pair<Point, Point>> lines{{{0.3, 0.5, 0}, {0.7, 0.5, 0}},
                                                    {{0.3, 0.5, 1}, {0.7, 0.5, 1}},
                                                    {{0, 0.5, 0.3}, {0, 0.5, 0.7}},
@@ -178,7 +194,10 @@ TEST(Render, TheViewIsFromASideThatShowsTheCurve) {
     Scene scene;
     scene.mesh = box;
     scene.curves = {red_line(a, b, 4)};
-    EXPECT_GT(count_red(render(scene, plain())), 40U) << a.transpose();
+    const Image image = render(scene, plain());
+    EXPECT_GT(count_red(image), 40U) << a.transpose();
+    for (Triangle& t : scene.mesh.triangles) std::swap(t[1], t[2]);  // inside out, as some files
+    EXPECT_TRUE(render(scene, plain()).rgb == image.rgb) << a.transpose();
   }
 }
 
