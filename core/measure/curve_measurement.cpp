@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talweg/core/measure/edge_length_near.hpp"
+#include "talweg/core/measure/named_measures.hpp"
 #include "talweg/core/measure/self_contacts.hpp"
 #include "talweg/core/measure/surface_deviation.hpp"
 #include "talweg/core/version.hpp"
@@ -37,19 +38,9 @@ MeasuredCurve measured_one(const SurfaceMesh& mesh, const SurfaceCurve& curve,
 void add_to(MeasuredCurve& total, const MeasuredCurve& c) {
   total.points += c.points;
   total.closed = total.closed && c.closed;
-  total.measures.length += c.measures.length;
-  total.measures.total_curvature += c.measures.total_curvature;
-  total.measures.signed_curvature += c.measures.signed_curvature;
-  total.measures.bending += c.measures.bending;
-  total.measures.window_turning =
-      std::max(total.measures.window_turning, c.measures.window_turning);
-  total.measures.window_turning_2 =
-      std::max(total.measures.window_turning_2, c.measures.window_turning_2);
   total.edge += c.edge;
-  if (c.measures.max_curvature > total.measures.max_curvature) {
-    total.measures.max_curvature = c.measures.max_curvature;
-    total.max_at = c.max_at;
-  }
+  if (c.measures.max_curvature > total.measures.max_curvature) total.max_at = c.max_at;
+  add(total.measures, c.measures);
 }
 
 MeasuredCurves measured_all(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
@@ -111,19 +102,16 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
 std::vector<double> numbers(const Point& p) { return {p[0], p[1], p[2]}; }
 
 std::vector<ReportEntry> entries_of(const MeasuredCurve& c) {
-  std::vector<ReportEntry> entries = {{"points", std::uint64_t{c.points}},
-                                      {"closed", c.closed},
-                                      {"length", c.measures.length},
-                                      {"curvature", c.measures.total_curvature},
-                                      {"curvature_signed", c.measures.signed_curvature},
-                                      {"curvature_max", c.measures.max_curvature},
-                                      {"curvature_max_at", numbers(c.max_at)},
-                                      {"bending", c.measures.bending},
-                                      {"window_turning", c.measures.window_turning},
-                                      {"window_turning_2", c.measures.window_turning_2},
-                                      {"edge_length_near", c.edge},
-                                      {"self_contacts", std::uint64_t{c.contacts.size()}},
-                                      {"self_contact_stretches", std::uint64_t{c.stretches}}};
+  std::vector<ReportEntry> entries = {{"points", std::uint64_t{c.points}}, {"closed", c.closed}};
+  for (const NamedMeasure& measure : kNamedMeasures) {
+    entries.push_back({measure.name, c.measures.*measure.value});
+  }
+  append(entries, "",
+         {{"curvature_signed", c.measures.signed_curvature},
+          {"curvature_max_at", numbers(c.max_at)},
+          {"edge_length_near", c.edge},
+          {"self_contacts", std::uint64_t{c.contacts.size()}},
+          {"self_contact_stretches", std::uint64_t{c.stretches}}});
   if (c.contacts.empty()) entries.push_back({"self_contacts_at", std::vector<double>{}});
   for (std::size_t k = 0; k < c.contacts.size(); ++k) {
     entries.push_back({"self_contacts_at." + std::to_string(k), numbers(c.contacts[k])});

@@ -25,8 +25,8 @@ struct CurveMeasurementOptions {
   void validate() const;  ///< throws Error(kBadUsage)
 };
 
-/// The measures of one curve, or the totals of several. In totals, counts, lengths, curvatures and
-/// bendings are sums, turnings are maxima, the edge length is the mean, and contacts between curves
+/// The measures of one curve, or the totals of several. In totals, counts are sums, measures are
+/// sums or maxima (named_measures.hpp), the edge length is the mean, and contacts between curves
 /// are included.
 struct MeasuredCurve {
   std::size_t points = 0;

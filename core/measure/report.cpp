@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "talweg/core/measure/named_measures.hpp"
 #include "talweg/core/system/process.hpp"
 
 namespace talweg {
@@ -31,20 +32,13 @@ void for_each_field(const SmoothingReport& r, Visit visit) {
   visit("closed", r.closed);
   visit("points_before", r.points_before);
   visit("points_after", r.points_after);
-  visit("length_before", r.before.length);
-  visit("length_after", r.after.length);
+  for (const NamedMeasure& measure : kNamedMeasures) {
+    const std::string name = measure.name;
+    visit(name + "_before", r.before.*measure.value);
+    visit(name + "_after", r.after.*measure.value);
+  }
   visit("lifted_length_before", r.lifted_length_before);
   visit("lifted_length_after", r.lifted_length_after);
-  visit("curvature_before", r.before.total_curvature);
-  visit("curvature_after", r.after.total_curvature);
-  visit("curvature_max_before", r.before.max_curvature);
-  visit("curvature_max_after", r.after.max_curvature);
-  visit("bending_before", r.before.bending);
-  visit("bending_after", r.after.bending);
-  visit("window_turning_before", r.before.window_turning);
-  visit("window_turning_after", r.after.window_turning);
-  visit("window_turning_2_before", r.before.window_turning_2);
-  visit("window_turning_2_after", r.after.window_turning_2);
   visit("deviation", r.deviation);
   visit("deviation_to_drawn_max", r.deviation_to_drawn_max);
   visit("deviation_to_drawn_mean", r.deviation_to_drawn_mean);
@@ -90,17 +84,6 @@ void for_each_field(const SmoothingReport& r, Visit visit) {
   visit("time_ms.measure", r.time_ms.measure);
   visit("time_ms.total", r.time_ms.total);
   visit("peak_memory_mib", r.peak_memory_mib);
-}
-
-/// Adds the measures of a curve to the total.
-void add(CurveMeasures& total, const CurveMeasures& m) {
-  total.length += m.length;
-  total.total_curvature += m.total_curvature;
-  total.signed_curvature += m.signed_curvature;
-  total.bending += m.bending;
-  total.max_curvature = std::max(total.max_curvature, m.max_curvature);
-  total.window_turning = std::max(total.window_turning, m.window_turning);
-  total.window_turning_2 = std::max(total.window_turning_2, m.window_turning_2);
 }
 
 /// Adds the warnings that the total does not have.
@@ -226,7 +209,7 @@ SmoothingReport total_of(const std::vector<SmoothingReport>& reports) {
 
 std::vector<ReportEntry> entries_of(const SmoothingReport& report) {
   std::vector<ReportEntry> entries;
-  for_each_field(report, [&entries]<class Value>(const char* key, const Value& value) {
+  for_each_field(report, [&entries]<class Value>(const std::string& key, const Value& value) {
     if constexpr (std::is_same_v<Value, Point>) {
       entries.push_back({key, std::vector<double>(value.begin(), value.end())});
     } else if constexpr (std::is_same_v<Value, std::size_t>) {

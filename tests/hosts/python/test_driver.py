@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -19,6 +20,21 @@ def names_of(parameters):
         text = ",".join(map(str, value)) if isinstance(value, list) else str(value)
         options += ["--" + name.replace("_", "-"), text]
     return options
+
+
+def names_in(section):
+    """The names in the tables of a section of docs/driver.md. After `a_max`, `_mean` means `a_mean` or
+    `a_max_mean`."""
+    page = (support.SOURCE / "docs/driver.md").read_text(encoding="utf-8")
+    names, last = set(), ""
+    for row in re.findall(r"^\| (`.*?) \|", page.split(f"\n## {section}\n")[1].split("\n## ")[0], re.M):
+        for name in re.findall(r"`(\w+)`", row):
+            if name.startswith("_"):
+                names |= {last + name, last.rpartition("_")[0] + name}
+            else:
+                last = name
+                names.add(name)
+    return names
 
 
 class Driver(unittest.TestCase):
@@ -133,6 +149,17 @@ class Driver(unittest.TestCase):
             drawn = talweg.draw((vertices, faces), through, straight=straight)
             self.equal_curves(self.folder / "out.json", [drawn])
             self.assertEqual(drawn.vertices[0], through[0])
+
+    def test_the_page_has_every_entry(self):
+        support.write_obj(self.folder / "mesh.obj", *support.hills())
+        (self.folder / "drawn.txt").write_text("\n".join(map(str, support.staircase())))
+        support.driver(self.folder, "smooth", "mesh.obj", "--curve", "drawn.txt", "--ridges", "0.5", "-o",
+                       "out.json", "--report", "smooth.json")
+        support.driver(self.folder, "measure", "mesh.obj", "drawn.txt", "out.json", "--report", "measure.json")
+        for file, section in (("smooth.json", "The report"), ("measure.json", "`measure`")):
+            keys = json.loads((self.folder / file).read_text()).keys()
+            self.assertGreater(len(keys), 15)
+            self.assertEqual(keys - names_in(section), set(), "no row in docs/driver.md")
 
     def test_offset(self):
         vertices, faces = support.hills()
