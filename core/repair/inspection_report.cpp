@@ -6,8 +6,11 @@
 #include <cstdint>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "talweg/core/repair/vertex_welding.hpp"
 #include "talweg/core/repair/weld_hint.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 
 namespace talweg {
 namespace {
@@ -44,19 +47,61 @@ void add_defect(Entries& entries, const std::string& key, const Defect<Place>& d
   }
 }
 
-void add_defects(Entries& entries, const MeshInspection& m) {
-  add_defect(entries, "defects.indices_out_of_range", m.indices_out_of_range);
-  add_defect(entries, "defects.non_finite_vertices", m.non_finite_vertices);
-  add_defect(entries, "defects.repeated_vertex_faces", m.repeated_vertex_faces);
-  add_defect(entries, "defects.duplicate_faces", m.duplicate_faces);
-  add_defect(entries, "defects.non_manifold_edges", m.non_manifold_edges);
-  add_defect(entries, "defects.misoriented_edges", m.misoriented_edges);
-  add_defect(entries, "defects.non_manifold_vertices", m.non_manifold_vertices);
-  add_defect(entries, "defects.isolated_vertices", m.isolated_vertices);
-  add_defect(entries, "defects.stray_vertices", m.stray_vertices);
-  add_defect(entries, "defects.duplicate_positions", m.duplicate_positions);
-  add_defect(entries, "defects.zero_area_faces", m.zero_area_faces);
-  add_defect(entries, "defects.needle_faces", m.needle_faces);
+/// Calls `visit(key, words, defect, blocks)` for every kind of defect. Reports, `talweg info` and
+/// the page list these kinds, in this order.
+template <class Visit>
+void for_each_defect(const MeshInspection& m, Visit visit) {
+  constexpr bool kBlocks = true, kTold = false;
+  visit("indices_out_of_range", "faces with vertices that do not exist: face",
+        m.indices_out_of_range, kBlocks);
+  visit("non_finite_vertices", "vertices with coordinates that are not finite or too large: vertex",
+        m.non_finite_vertices, kBlocks);
+  visit("repeated_vertex_faces", "faces that use a vertex twice: face", m.repeated_vertex_faces,
+        kBlocks);
+  visit("duplicate_faces", "faces that are there twice: face", m.duplicate_faces, kBlocks);
+  visit("non_manifold_edges", "edges with more than two faces: vertices", m.non_manifold_edges,
+        kBlocks);
+  visit("misoriented_edges", "edges between faces of opposite orientation: vertices",
+        m.misoriented_edges, kBlocks);
+  visit("non_manifold_vertices", "vertices where surface parts only touch (bow-ties): vertex",
+        m.non_manifold_vertices, kBlocks);
+  visit("isolated_vertices", "vertices without a face: vertex", m.isolated_vertices, kTold);
+  visit("stray_vertices", "of these, with coordinates that are not finite or too large: vertex",
+        m.stray_vertices, kTold);
+  visit("duplicate_positions", "vertices at the place of another one: vertex",
+        m.duplicate_positions, kTold);
+  visit("zero_area_faces", "faces of zero area: face", m.zero_area_faces, kTold);
+  visit("needle_faces", "needle faces (an angle below 1 degree): face", m.needle_faces, kTold);
+}
+
+std::string face_ids(const std::vector<std::uint32_t>& list) {
+  return fmt::format("{}", fmt::join(list, ", "));
+}
+
+std::string place_words(std::uint32_t id) { return fmt::format("{}", id); }
+std::string place_words(const RepeatPlace& p) {
+  return fmt::format("{} (as {})", p.element, p.earlier);
+}
+std::string place_words(const FaceIndexPlace& p) {
+  return fmt::format("{} (vertex {})", p.face, p.vertex);
+}
+std::string place_words(const EdgePlace& p) {
+  return fmt::format("{}-{} (faces {})", p.vertices[0], p.vertices[1], face_ids(p.faces));
+}
+
+template <class Place>
+std::string places_words(const Defect<Place>& defect) {
+  std::vector<std::string> places;
+  for (const Place& place : defect.first) places.push_back(place_words(place));
+  return fmt::format("{}{}", fmt::join(places, ", "), defect.count > places.size() ? ", ..." : "");
+}
+
+std::vector<std::string> defect_lines(const std::vector<DefectWords>& defects) {
+  std::vector<std::string> lines;
+  for (const DefectWords& defect : defects) {
+    lines.push_back(fmt::format("{} {}", count_text(defect.count), defect.words));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -64,6 +109,15 @@ void add_defects(Entries& entries, const MeshInspection& m) {
 const char* to_string(MeshVerdict verdict) {
   constexpr std::array kNames = {"usable", "repairable", "not_usable"};
   return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::vector<DefectWords> found_defects(const MeshInspection& m) {
+  std::vector<DefectWords> found;
+  for_each_defect(m, [&](const char*, const char* words, const auto& defect, bool blocks) {
+    if (!defect.found()) return;
+    found.push_back({defect.count, fmt::format("{} {}", words, places_words(defect)), blocks});
+  });
+  return found;
 }
 
 std::vector<ReportEntry> entries_of(const MeshInspection& m) {
@@ -94,7 +148,10 @@ std::vector<ReportEntry> entries_of(const MeshInspection& m) {
                      {"edge_length_mean", m.edge_length_mean},
                      {"edge_length_max", m.edge_length_max},
                      {"smallest_angle", m.smallest_angle}};
-  add_defects(entries, m);
+  for_each_defect(m, [&](const char* key, const char*, const auto& defect, bool) {
+    add_defect(entries, std::string("defects.") + key, defect);
+  });
+  entries.push_back({"defects_found", defect_lines(found_defects(m))});
   entries.push_back({"verdict", std::string(to_string(m.verdict))});
   entries.push_back({"reason", m.reason});
   entries.push_back({"repair_steps", m.steps});

@@ -1,7 +1,9 @@
 // An inspection report describes a mesh and its repair as named entries.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "talweg/core/measure/report_entry.hpp"
@@ -15,8 +17,19 @@ struct NearVertices;  // vertex_welding.hpp
 /// "usable", "repairable" or "not_usable".
 const char* to_string(MeshVerdict verdict);
 
-/// The description of the mesh, every kind of defect with its count and first places, and the
-/// verdict. Unknown values are infinite. Angles in radians, lengths in mesh units.
+/// A kind of defect that a mesh has.
+struct DefectWords {
+  std::size_t count = 0;
+  std::string words;    ///< with the first places: "faces of zero area: face 3, 8"
+  bool blocks = false;  ///< keeps the mesh from being opened
+};
+
+/// The kinds of defects that the mesh has, in the order of the report.
+std::vector<DefectWords> found_defects(const MeshInspection& inspection);
+
+/// The description of the mesh, every kind of defect with its count and first places, the words of
+/// found_defects(), and the verdict. Unknown values are infinite. Angles in radians, lengths in
+/// mesh units.
 std::vector<ReportEntry> entries_of(const MeshInspection& inspection);
 
 /// The group "repair": the changes of a repair, and the verdict on the repaired mesh.

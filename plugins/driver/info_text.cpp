@@ -14,41 +14,6 @@
 namespace talweg::driver {
 namespace {
 
-std::string ids(const std::vector<std::uint32_t>& list) {
-  return fmt::format("{}", fmt::join(list, ", "));
-}
-
-std::string place_text(std::uint32_t id) { return fmt::format("{}", id); }
-std::string place_text(const RepeatPlace& p) {
-  return fmt::format("{} (as {})", p.element, p.earlier);
-}
-std::string place_text(const FaceIndexPlace& p) {
-  return fmt::format("{} (vertex {})", p.face, p.vertex);
-}
-std::string place_text(const EdgePlace& p) {
-  return fmt::format("{}-{} (faces {})", p.vertices[0], p.vertices[1], ids(p.faces));
-}
-
-/// Calls `visit(words, defect, blocking)` for every defect, in the order of the report.
-template <class Visit>
-void for_each_defect(const MeshInspection& m, Visit visit) {
-  visit("faces with vertices that do not exist: face", m.indices_out_of_range, true);
-  visit("vertices with coordinates that are not finite or too large: vertex", m.non_finite_vertices,
-        true);
-  visit("faces that use a vertex twice: face", m.repeated_vertex_faces, true);
-  visit("faces that are there twice: face", m.duplicate_faces, true);
-  visit("edges with more than two faces: vertices", m.non_manifold_edges, true);
-  visit("edges between faces of opposite orientation: vertices", m.misoriented_edges, true);
-  visit("vertices where surface parts only touch (bow-ties): vertex", m.non_manifold_vertices,
-        true);
-  visit("vertices without a face: vertex", m.isolated_vertices, false);
-  visit("of these, with coordinates that are not finite or too large: vertex", m.stray_vertices,
-        false);
-  visit("vertices at the place of another one: vertex", m.duplicate_positions, false);
-  visit("faces of zero area: face", m.zero_area_faces, false);
-  visit("needle faces (an angle below 1 degree): face", m.needle_faces, false);
-}
-
 const char* verdict_words(MeshVerdict verdict) {
   switch (verdict) {
     case MeshVerdict::kUsable:
@@ -101,6 +66,21 @@ std::string size_lines(const MeshInspection& m) {
   return text;
 }
 
+std::string defects_text(const MeshInspection& m, const NearVertices& near) {
+  std::string blocking, harmless;
+  for (const DefectWords& defect : found_defects(m)) {
+    (defect.blocks ? blocking : harmless) +=
+        fmt::format("  {:>9} {}\n", count_text(defect.count), defect.words);
+  }
+  if (near.count > 0) {
+    harmless +=
+        fmt::format("  {:>9} vertices that nearly coincide with others, up to {:.3g} apart\n",
+                    count_text(near.count), near.largest_gap);
+  }
+  return (blocking.empty() ? "" : "\nDefects:\n" + blocking) +
+         (harmless.empty() ? "" : "\nNo obstacle, but good to know:\n" + harmless);
+}
+
 std::string repair_text(const InfoRepair& repair) {
   std::string text = "\n";
   for (const std::string& sentence : sentences(repair.changes)) text += sentence + "\n";
@@ -134,22 +114,7 @@ std::string info_text(const MeshInspection& m, const InfoTimes& times,
 
   for (const std::string& note : m.notes) text += line("note", note);
 
-  for (const bool blocking : {true, false}) {
-    std::string list;
-    for_each_defect(m, [&](const char* words, const auto& defect, bool blocks) {
-      if (blocks != blocking || !defect.found()) return;
-      std::vector<std::string> places;
-      for (const auto& place : defect.first) places.push_back(place_text(place));
-      list += fmt::format("  {:>9} {} {}{}\n", count_text(defect.count), words,
-                          fmt::join(places, ", "), defect.count > places.size() ? ", ..." : "");
-    });
-    if (!blocking && near.count > 0) {
-      list += fmt::format("  {:>9} vertices that nearly coincide with others, up to {:.3g} apart\n",
-                          count_text(near.count), near.largest_gap);
-    }
-    if (!list.empty())
-      text += (blocking ? "\nDefects:\n" : "\nNo obstacle, but good to know:\n") + list;
-  }
+  text += defects_text(m, near);
   const std::string steps = m.steps.empty() ? "" : fmt::format(" (--repair={})", m.steps);
   const std::string weld = welded ? " But " + weld_sentence(m, *welded, kRepairOption) : "";
   text += fmt::format("\nVerdict: {}{}. {}{}\n", verdict_words(m.verdict), steps, m.reason, weld);

@@ -23,6 +23,7 @@ TEST(InspectionReport, TellsWhatASoundMeshIs) {
   EXPECT_EQ(found["box_max"], json({3, 2, 0}));
   EXPECT_EQ(found["verdict"], "usable");
   EXPECT_EQ(found["defects"].size(), 12U);
+  EXPECT_EQ(found["defects_found"], json::array());
   for (const json& defect : found["defects"]) {
     EXPECT_EQ(defect, json({{"count", 0}, {"first", json::array()}}));
   }
@@ -30,9 +31,15 @@ TEST(InspectionReport, TellsWhatASoundMeshIs) {
 
 TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
   const MeshLists twice = test::with_duplicate_face(test::grid(3, 2), 4, false);
-  const json defects = json_of(entries_of(inspect(twice)))["defects"];
-  EXPECT_EQ(defects["duplicate_faces"],
+  const json found = json_of(entries_of(inspect(twice)));
+  EXPECT_EQ(found["defects"]["duplicate_faces"],
             json({{"count", 1}, {"first", {{{"id", 12}, {"repeats", 4}}}}}));
+  // Face 4 has the vertices 2, 3, 7; only its side 2-7 is shared, with face 5.
+  EXPECT_EQ(found["defects_found"],
+            json({"1 faces that are there twice: face 12 (as 4)",
+                  "1 edges with more than two faces: vertices 2-7 (faces 4, 5, 12)",
+                  "2 edges between faces of opposite orientation: vertices 2-3 (faces 4, 12), 3-7 "
+                  "(faces 4, 12)"}));
   const json out = json_of(entries_of(inspect(test::with_index_out_of_range(test::grid(3, 2), 7))));
   EXPECT_EQ(out["defects"]["indices_out_of_range"]["first"][0]["face"], 7);
   EXPECT_EQ(out["verdict"], "not_usable");
@@ -40,6 +47,8 @@ TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
       json_of(entries_of(inspect(test::with_isolated_vertices(test::grid(3, 2), 7))));
   EXPECT_EQ(isolated["defects"]["isolated_vertices"],
             json({{"count", 7}, {"first", {12, 13, 14, 15, 16}}}));
+  EXPECT_EQ(isolated["defects_found"],
+            json({"7 vertices without a face: vertex 12, 13, 14, 15, 16, ..."}));
 }
 
 TEST(InspectionReport, EdgesHaveTheirFaces) {
@@ -49,6 +58,8 @@ TEST(InspectionReport, EdgesHaveTheirFaces) {
   const json found = json_of(entries_of(inspect(fin)));
   EXPECT_EQ(found["defects"]["non_manifold_edges"],
             json({{"count", 1}, {"first", {{{"vertices", {0, 3}}, {"faces", {0, 1, 2}}}}}}));
+  EXPECT_EQ(found["defects_found"],
+            json({"1 edges with more than two faces: vertices 0-3 (faces 0, 1, 2)"}));
   EXPECT_TRUE(found["genus"].is_null());
 }
 

@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <utility>
-#include <vector>
 
 namespace talweg::browser {
 namespace {
@@ -28,24 +26,10 @@ std::string line(const char* label, const std::string& value) {
 }
 
 std::string defects_in(const host::Results& r) {
-  static const std::vector<std::pair<const char*, const char*>> kWords = {
-      {"indices_out_of_range", "faces with vertices that do not exist"},
-      {"non_finite_vertices", "vertices with coordinates that are not finite or too large"},
-      {"repeated_vertex_faces", "faces that use a vertex twice"},
-      {"duplicate_faces", "faces that are there twice"},
-      {"non_manifold_edges", "edges with more than two faces"},
-      {"misoriented_edges", "edges between faces of opposite orientation"},
-      {"non_manifold_vertices", "vertices where surface parts only touch (bow-ties)"},
-      {"isolated_vertices", "vertices without a face"},
-      {"stray_vertices", "of these, with coordinates that are not finite or too large"},
-      {"duplicate_positions", "vertices at the place of another one"},
-      {"zero_area_faces", "faces of zero area"},
-      {"needle_faces", "needle faces (an angle below 1 degree)"}};
+  const host::ReportEntry* found = r.find("defects_found");
+  if (found == nullptr) return "";
   std::string text;
-  for (const auto& [key, words] : kWords) {
-    const double count = r.number("defects." + std::string(key) + ".count");
-    if (count > 0) text += "  " + grouped(count) + " " + words + "\n";
-  }
+  for (const std::string& defect : found->texts) text.append("  ").append(defect).append("\n");
   return text;
 }
 
