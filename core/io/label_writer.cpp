@@ -68,7 +68,7 @@ std::string freesurfer_label(const LabelContent& content) {
     if (labels[v] != *one) {
       cannot_write(
           content.path,
-          fmt::format("a .label holds one label beside 0 and -1, but the labels include {} "
+          fmt::format("a .label holds one label besides 0 and -1, but the labels include {} "
                       "and {} (.annot and .label.gii hold all)",
                       *one, labels[v]));
     }

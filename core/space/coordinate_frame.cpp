@@ -55,7 +55,7 @@ CoordinateFrame frame_named(std::string_view text) {
     text = blank == text.npos ? std::string_view() : text.substr(0, blank);
   } else if (blank != text.npos) {
     throw Error(ErrorCode::kBadUsage,
-                fmt::format("\"{}\" is no space of coordinates; known are LPS and RAS.",
+                fmt::format("\"{}\" is not a space of coordinates; known are LPS and RAS.",
                             last.substr(0, 40)));
   }
   if (!text.empty()) frame.unit = LengthUnit::named(text);
