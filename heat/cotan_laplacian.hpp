@@ -17,9 +17,10 @@ struct TriangleShape {
   double area = 0;                    ///< length squared
 };
 
-/// Side k runs from corner k to corner k + 1. Computed from the four factors of Heron's formula in
-/// Kahan's stable form, so needles lose no digits: cotangents have an error of a few ulp of the
-/// largest of them or of 1, the area of a few ulp of itself.
+/// Side k runs from corner k to corner k + 1. The shape is computed from the four factors of
+/// Heron's formula in Kahan's stable form, so needles lose no digits. The error of a cotangent is a
+/// few ulp of the largest cotangent, or of 1 if all are smaller; the relative error of the area is
+/// a few ulp.
 TriangleShape triangle_shape(const std::array<double, 3>& length);
 
 struct CotanLaplacian {

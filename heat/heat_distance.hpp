@@ -51,9 +51,10 @@ struct HeatReport {
 /// be solved for. Immutable, so any number of threads may call solve at the same time. The object
 /// does not refer to the surface after construction.
 ///
-/// Where a component has a boundary and a source off it, the heat is the average of the solutions
-/// with free and with cold boundary (as Crane et al. advise); elsewhere the boundary is free. The
-/// time and all other scales are taken per component, so components do not influence each other.
+/// Where a component has a boundary and a source off the boundary, the heat is the average of the
+/// solutions with free (Neumann) and with cold (Dirichlet) boundary, as Crane et al. advise;
+/// elsewhere the boundary is free. The time and all other scales are taken per component, so
+/// components do not influence each other.
 class HeatDistance {
  public:
   /// Throws Error(kBadUsage) for bad options, Error(kBadMesh) for a surface without vertices,

@@ -24,9 +24,10 @@ struct ScaledField {
 ///
 /// u falls by a factor of about exp(-1 / √s) per edge, so doubles underflow after some 2,000 edges.
 /// Where |u| is below 2^-800 the equation is therefore solved again, scaled. Let A be the vertices
-/// known so far; then the rest of u solves the system with the same matrix and the source -(s S
-/// u_A) beyond A's rim and +(s S u_rest) on it. The result is u itself, not an approximation, to a
-/// few digits less than a single solve. One more solve is needed for each 1,700 edge lengths or so.
+/// known so far. The rest of u then solves the system with the same matrix and another source: -(s
+/// S u_A) at vertices outside A, and +(s S u_rest) at the rim of A. The result is u itself, not an
+/// approximation, to a few digits less than a single solve. One more solve is needed for each 1,700
+/// edge lengths or so.
 ///
 /// `source` has one entry per vertex, of order 1 at most; `reached[i]` is 0 where u is 0 by
 /// definition: in components without a source and at Dirichlet rows. `progress` (stage "solve") is

@@ -106,7 +106,7 @@ void check_sizes(const MeshAttributes& attributes, std::size_t vertices, std::si
       if (column.values.size() == count) continue;
       throw Error(ErrorCode::kBadUsage, "The attribute " + column.name + " has " +
                                             std::to_string(column.values.size()) +
-                                            " values, expected are " + std::to_string(count) + ".");
+                                            " values instead of " + std::to_string(count) + ".");
     }
   };
   check(attributes.vertices, vertices);

@@ -143,7 +143,7 @@ std::string why_not_separated(const SurfaceMesh& mesh, const CutMesh& cut, const
   // A curve that crosses itself or others may still separate some pieces.
   const bool in_part = !at_border && (left.size() > 1 || right.size() > 1);
   return fmt::format(
-      "Curve {} does not separate the mesh{}: {}.", curve, in_part ? " along all of it" : "",
+      "Curve {} does not separate the mesh{}: {}.", curve, in_part ? " along its whole length" : "",
       at_border ? "it runs along the border only" : Reason(mesh, cut, curve).words());
 }
 

@@ -405,9 +405,9 @@ void check_on(const Surface& surface, std::span<const SurfaceCurve> curves) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].points.size(); ++i) {
       if (is_on(surface, curves[c].points[i])) continue;
-      throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(i) + " of curve " +
-                                            std::to_string(c) +
-                                            " is not on this mesh: the curve is of another one.");
+      throw Error(ErrorCode::kBadCurve,
+                  "Point " + std::to_string(i) + " of curve " + std::to_string(c) +
+                      " is not on this mesh: the curve belongs to another mesh.");
     }
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Place = FaceTriangulation::Place;
 
-/// Up to this number, places are found by linear search.
+/// Up to this number of points, places are found by linear search.
 constexpr std::size_t kFew = 32;
 constexpr std::uint32_t kNotThere = 0xFFFFFFFFU;
 /// Beyond this number of points, the triangulation is made Delaunay around each new point at once,

@@ -13,11 +13,11 @@
 namespace talweg {
 
 /// A triangulation of a triangle in which given segments are chains of edges. Points have integer
-/// barycentric coordinates, so the side of a line with a point is decided exactly, and two faces of
-/// a mesh agree on the points of their common edge. O((n + flips) log n) expected for n points and
-/// for segments between neighbours. The flips are about n, because beyond 1024 points the
-/// triangulation is improved around each new point. A segment that crosses many others adds a point
-/// per crossing.
+/// barycentric coordinates, so the side of a line on which a point lies is decided exactly, and two
+/// faces of a mesh agree on the points of their common edge. O((n + flips) log n) expected for n
+/// points and for segments between neighbours. About n flips are needed, because beyond 1024 points
+/// the triangulation is improved around each new point. A segment that crosses many others adds a
+/// point per crossing.
 class FaceTriangulation {
  public:
   static constexpr std::int64_t kOne = std::int64_t{1} << 40;

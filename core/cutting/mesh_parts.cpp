@@ -52,11 +52,11 @@ void check_parted(const SurfaceMesh& mesh, const CutMesh& cut, const OpenedSeams
     }
   }
   const std::size_t n = here.size();
-  throw Error(
-      ErrorCode::kBadCurve,
-      fmt::format("keep {} leaves nothing: {} no face on the {}.", side,
-                  n == 1 ? "curve 0 has" : fmt::format("none of the curves 0 to {} has", n - 1),
-                  side));
+  throw Error(ErrorCode::kBadCurve,
+              fmt::format("keep {} leaves nothing: {} on the {}.", side,
+                          n == 1 ? "curve 0 has no face"
+                                 : fmt::format("none of the curves 0 to {} has a face", n - 1),
+                          side));
 }
 
 /// Per piece, whether it is kept. `between` counts the pieces on the kept side of one curve and the

@@ -74,7 +74,7 @@ void Opener::find_faces() {
       if (face_of_.emplace(directed(a, b), f).second && a != b) continue;
       throw Error(ErrorCode::kBadMesh,
                   fmt::format("Face {} does not fit its neighbours at the edge from vertex {} to "
-                              "vertex {}: the mesh is no oriented surface there.",
+                              "vertex {}: the mesh is not an oriented surface there.",
                               f, a, b));
     }
   }
@@ -90,7 +90,7 @@ void Opener::find_seams() {
       if (n == 1) continue;  // a curve of a single point
       if (left_of(a, b) == kNone && left_of(b, a) == kNone) {
         throw Error(ErrorCode::kBadCurve,
-                    fmt::format("Vertices {} and {} of chain {} are joined by no edge.", a, b, c));
+                    fmt::format("No edge joins vertices {} and {} of chain {}.", a, b, c));
       }
       seams_.insert(undirected(a, b));
     }

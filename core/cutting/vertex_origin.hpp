@@ -11,7 +11,7 @@
 
 namespace talweg {
 
-// The numbers for no element: the origin of elements of lids.
+// The numbers that stand for no element; elements of lids have them as their origins.
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFU;
 inline constexpr std::uint32_t kNoVertex = 0xFFFFFFFFU;
 

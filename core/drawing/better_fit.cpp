@@ -68,10 +68,10 @@ std::vector<Change> turns() {
   Eigen::Matrix3d patient = Eigen::Matrix3d::Identity(), up;
   patient(0, 0) = patient(1, 1) = -1;
   up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  return {
-      {patient, Point::Zero(), "with x and y negated, as between RAS and LPS"},
-      {up, Point::Zero(), "as (x, z, -y), as where z is up in it and y in the mesh"},
-      {up.transpose(), Point::Zero(), "as (x, -z, y), as where y is up in it and z in the mesh"}};
+  return {{patient, Point::Zero(), "with x and y negated, as between RAS and LPS"},
+          {up, Point::Zero(), "as (x, z, -y), as if z were up in the drawing and y in the mesh"},
+          {up.transpose(), Point::Zero(),
+           "as (x, -z, y), as if y were up in the drawing and z in the mesh"}};
 }
 
 std::vector<Change> changes_for(const Box& mesh, const Box& drawing, double mean, double edge) {

@@ -9,8 +9,9 @@
 
 namespace talweg {
 
-/// The order in which a curve's points are processed, independent of who drew it: point k of the
-/// ordered curve is point start + k of the drawn one, or start - k if reversed.
+/// The order in which a curve's points are processed, independent of the direction and of the first
+/// point of the drawing. Point k of the ordered curve is point start + k of the drawn curve, or
+/// start - k if reversed.
 struct CurveOrder {
   std::size_t start = 0;
   bool reversed = false;

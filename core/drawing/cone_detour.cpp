@@ -23,12 +23,12 @@ struct Crossing {
   VertexId left, right;
 };
 
-/// The part of a line between two points that are its ends or vertices.
+/// The part of a line between two points, each an end of the line or a vertex.
 struct Section {
   double begin = 0, end = 0;  // on the x axis
   std::vector<Corner> corners;
   std::vector<Crossing> crossings;
-  VertexId last;  // at the end of the section, unless it is the line's
+  VertexId last;  // at the end of the section; invalid at the end of the line
 };
 
 class Unfolding {
@@ -88,13 +88,13 @@ class Unfolding {
   std::vector<Section> sections_;
 };
 
-/// The length of the way on the other side of a corner's cone as a part of the section's; at least
-/// 1 if that side is not shorter.
+/// The length of the way around the other side of a corner, relative to the length of the section;
+/// 1 or more if that side is not shorter.
 double other_side(SignpostTriangulation& triangulation, const Section& section, const Corner& c) {
   const double px = section.begin - c.at.x, qx = section.end - c.at.x, y = -c.at.y;
   const double p = std::hypot(px, y), q = std::hypot(qx, y), length = section.end - section.begin;
   const double seen = std::atan2(std::abs(px * y - qx * y), px * qx + y * y);
-  constexpr double kLeastSeen = 0.3;  // thinner cones than twice that are needles
+  constexpr double kLeastSeen = 0.3;  // radians; cones of less than twice this angle are needles
   if (!(std::min(p, q) > 1e-9 * length) || seen < kLeastSeen) return 1;
   if (triangulation.on_boundary(c.vertex)) return 1;
   const double other = triangulation.cone_angle(c.vertex) - seen;
@@ -102,8 +102,8 @@ double other_side(SignpostTriangulation& triangulation, const Section& section, 
   return std::sqrt(std::max(0.0, p * p + q * q - 2 * p * q * std::cos(other))) / length;
 }
 
-/// Whether edges join the vertices of the chain, and faces its ends to those of the line. Rounding
-/// in needles may tear the chain.
+/// Whether edges join successive vertices of the chain, and its first and last vertex share faces
+/// with the ends of the line. Rounding in needles may tear the chain.
 bool is_whole(const Surface& surface, std::span<const SurfacePoint> line,
               const ConeDetour& detour) {
   const std::vector<VertexId>& chain = detour.chain;

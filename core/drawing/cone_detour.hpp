@@ -1,4 +1,4 @@
-// A cone detour is a straight line that passes a vertex of positive curvature on its longer side.
+// A cone detour is a straight line on the longer side of a vertex of positive curvature.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,19 @@
 
 namespace talweg {
 
-/// An edge path from the line's first to its last point beside the line, and its vertex on whose
-/// other side the line probably gets shorter.
+/// An edge path beside a line, from its first to its last point, and the vertex of the path on
+/// whose other side the line probably gets shorter.
 struct ConeDetour {
-  std::vector<VertexId> chain;  ///< vertices between both ends, of the faces that the line crosses
+  std::vector<VertexId> chain;  ///< between the ends; corners of the faces that the line crosses
   VertexId over;                ///< one of `chain`
 };
 
-/// The vertex beside a straight line whose other side promises the largest gain; none if no side
-/// promises a thousandth. A line sees the cone of a vertex under an angle; if this angle is more
-/// than half of the cone's, the way on the other side is shorter, as far as the surface there is
-/// the cone. `line` is a geodesic whose points lie at vertices and on crossed edges, except its
-/// ends. O(faces that the line crosses and that meet at their corners).
+/// The vertex beside a straight line on whose other side the line would probably get shortest; none
+/// if no vertex promises to shorten the line by a thousandth. Seen from a vertex, the line spans an
+/// angle. If this angle is more than half of the vertex's cone angle, the way around the other side
+/// is shorter, as far as the surface near the line is this cone. `line` is a geodesic whose points
+/// lie at vertices and on crossed edges, except its ends. O(faces that the line crosses and that
+/// meet at their corners).
 std::optional<ConeDetour> cone_detour(SignpostTriangulation& triangulation, const Surface& surface,
                                       std::span<const SurfacePoint> line);
 

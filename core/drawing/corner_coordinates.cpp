@@ -135,8 +135,8 @@ std::vector<FaceCoordinates> all_in_faces(const Faces& faces,
     const FaceId face = first_face(faces, at);
     if (!face.valid()) {
       bad_point(k,
-                fmt::format("no face of the mesh has the vertices {}, {} and {}; is the curve "
-                            "of this mesh?",
+                fmt::format("no face of the mesh has the vertices {}, {} and {}; does the "
+                            "curve belong to this mesh?",
                             at.corners[0].index(), at.corners[1].index(), at.corners[2].index()));
     }
     result.push_back(placed(face, faces.corners(face), at));

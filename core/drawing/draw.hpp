@@ -21,7 +21,7 @@ struct Drawing {
 struct DrawOptions {
   bool closed = false;  ///< leads back to the first click
   /// True: straight over the faces. False: along edges if all clicks are vertices, else straight.
-  /// By default true with a tolerance, as clicks fix no course in between, and false in a stroke.
+  /// Default: true if `tolerance` has a value (clicks leave the course between them open).
   std::optional<bool> straight;
   /// Mesh units, >= 0: how far from each click a result may pass. Without a value the clicks are no
   /// way-points, and the whole path is a stroke.

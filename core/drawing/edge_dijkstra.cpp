@@ -154,7 +154,7 @@ void EdgeDijkstra::check(std::span<const VertexId> through) const {
   }
   for (const VertexId v : through) {
     if (v.index() >= surface_->vertex_count()) {
-      throw Error(ErrorCode::kBadCurve, "Way-point " + text(v) + " is no vertex: the mesh has " +
+      throw Error(ErrorCode::kBadCurve, "Way-point " + text(v) + " is not a vertex: the mesh has " +
                                             std::to_string(surface_->vertex_count()) + ".");
     }
   }

@@ -18,8 +18,8 @@ constexpr std::size_t kMostSheets = 8;
 
 using Candidate = ClosestPoint::Result;
 
-/// Steps between successive candidates: is there a path over the faces that is about as short as
-/// the way through space?
+/// Tells whether a step between successive candidates has a path over the faces that is about as
+/// short as the way through space.
 class Steps {
  public:
   explicit Steps(const SurfaceMesh& mesh) : mesh_(&mesh), edge_(mesh.mean_edge_length()) {}

@@ -23,10 +23,11 @@ struct SheetMatching {
 /// Positions beside a thin wall may be nearer to its far side when each is projected alone. The
 /// polyline is therefore matched to the surface as a whole, as GPS tracks are matched to roads
 /// (Newson & Krumm 2009). Each position has a candidate on each sheet near it. The chosen
-/// candidates have the least sum of distances, plus the cost of two jumps for each step whose ends
-/// no path over the faces joins inside a ball about both. Steps over more than 16 mean edges are
-/// not examined. `nearest` has the nearest points, one per position; they are the answer where a
-/// path exists for all steps between them. O(faces near the polyline).
+/// candidates have the least sum of distances and of costs of jumps. A step is a jump if no path
+/// over the faces joins its ends inside a ball about both; a jump costs four mean edges and twice
+/// its length. Steps over more than 16 mean edges are not examined. `nearest` has the nearest
+/// points, one per position; they are the answer if all steps between them have paths. O(faces near
+/// the polyline).
 SheetMatching matched_to_sheets(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                 std::span<const Point> positions, bool closed,
                                 std::vector<ClosestPoint::Result> nearest);

@@ -23,7 +23,7 @@ struct SnappedDrawing {
   std::vector<std::array<double, 2>> hand_steps;
   std::vector<SurfacePoint> pins;
   std::vector<WayPoint> way_points;   ///< named by the drawing
-  std::vector<WayPoint> all_exact;    ///< the same, if others have all points exact
+  std::vector<WayPoint> all_exact;    ///< the way-points under PointMeaning::kExact
   std::vector<SurfacePoint> painted;  ///< named by the drawing
   std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
   std::vector<std::string> told;      ///< sentences on points that were moved or left out
@@ -41,8 +41,8 @@ struct SnappedDrawing {
            const Progress& progress = {});
   /// Warnings for the user: that the drawing was moved onto the mesh, and that gaps were joined.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  /// The warnings by which a result may be useless: the drawing was moved far, or gaps were joined
-  /// in a stroke.
+  /// Warnings of such weight that the result may be useless: the drawing was moved far, or gaps
+  /// were joined in a stroke.
   [[nodiscard]] std::vector<std::string> decisive() const;
   /// Adds warnings to `all`: at the front if the drawing was moved far, otherwise at the end.
   void add_to(std::vector<std::string>& all, const std::vector<std::string>& warnings) const {

@@ -41,7 +41,7 @@ struct SnappedCurve {
   /// that runs over the border is never a loop.
   bool of_hand = false, may_be_loop = false;
   std::array<BeyondBorder, 2> beyond_border;  ///< at the start and at the end
-  std::vector<std::string> told;  ///< the input's sentences, and others on points put elsewhere
+  std::vector<std::string> told;  ///< of the input, and on points that were put elsewhere
   std::string better_fit;         ///< the text of better_fit()
   std::string why_stroke;         ///< a sentence if control points were not taken for way-points
 };
@@ -71,8 +71,8 @@ struct SnappedCurve {
 /// edges, a pin, way-point or painted point that is no point of the curve, a tolerance below 0,
 /// fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
 /// `progress` (stage "snap") says so. O(degree) for a vertex and O(log faces) for a position, for
-/// which a ClosestPoint is built first. Worse: each painted point is compared with each way-point
-/// of its curve.
+/// which a ClosestPoint is built first. In addition, each painted point is compared with each
+/// way-point of its curve.
 SnappedCurve snap(const SurfaceMesh& mesh, const CurveInput& curve, const SnapOptions& options = {},
                   const Progress& progress = {});
 

@@ -6,9 +6,9 @@
 
 namespace talweg {
 
-/// The unit normal of the mesh at a point, on the side from which faces are counterclockwise: the
-/// normal of the face inside it, the mean of both faces on an edge, and at a vertex the mean of its
-/// faces weighted by their angles. Zero where all these faces have no area. O(degree).
+/// The unit normal of the mesh at a point, on the side from which faces are counterclockwise:
+/// inside a face the normal of the face, on an edge the mean of both faces, and at a vertex the
+/// mean of its faces weighted by their angles. Zero where all these faces have no area. O(degree).
 Point normal_at(const SurfaceMesh& mesh, const SurfacePoint& point);
 
 /// Sets the normals of a placed curve's points. O(points · degree).

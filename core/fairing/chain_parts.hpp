@@ -42,9 +42,9 @@ bool is_small_part(std::span<const ChainRange> ranges, std::size_t size);
 /// The samples of a range as an open chain with fixed ends. O(chain).
 SampleChain part_of(const Surface& surface, const SampleChain& chain, ChainRange range);
 
-/// A part that begins and ends where the inside of the frame does, with the samples of the frame
-/// before and after it; none where the faces at its ends are other faces. The caller must set the
-/// turns. O(part).
+/// A part with the samples of the frame before and after it, and their joins to the part. `part`
+/// must begin and end at the first and last samples of frame.inside(). None if these samples lie in
+/// other faces than in the chain. The caller must set the turns. O(part).
 std::optional<SampleChain> framed(const Surface& surface, SampleChain part,
                                   const ChainFrame& frame);
 

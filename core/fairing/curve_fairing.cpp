@@ -24,9 +24,9 @@ constexpr std::size_t kLong = 4'096;       // samples; of longer chains only par
 constexpr std::size_t kMargin = 32;        // samples on either side of a part that is faired again
 constexpr double kCoarseTolerance = 2e-2;  // finer samples change the energy by as much
 
-/// The largest swing of a leg: nearly a quarter of the length of the shortest among the leg and its
-/// neighbours, but at least of three quarters of the leg's own length. Offsets of samples
-/// underestimate the swing, hence less than a quarter.
+/// The largest allowed swing of a leg: kMostSwing times the shortest length among the leg and its
+/// neighbours, which counts as at least three quarters of the leg's own length. The intended limit
+/// is a quarter; kMostSwing is smaller, because the offsets of samples underestimate the swing.
 double allowed_swing(const std::vector<double>& lengths, std::size_t leg, bool closed) {
   constexpr double kMostSwing = 0.23;
   const std::size_t n = lengths.size();

@@ -18,7 +18,7 @@ namespace talweg {
 struct FairOptions {
   double centering = 1e-3;      ///< β
   double stiffness = 10;        ///< ρ, of the walls
-  double felt = 0.8;            ///< distance of the felt walls, relative to the band's walls
+  double felt = 0.8;            ///< distance W at which walls are felt, as a share of the band's
   double tolerance = 3e-3;      ///< relative gain in energy below which the run ends
   double leg_tolerance = 1e-4;  ///< the same for a chain with legs
   int max_iterations = 60;
@@ -26,7 +26,7 @@ struct FairOptions {
 };
 
 /// Minimises E = Σ wᵢ (θᵢ / wᵢ − κ₀)² + β Σ wᵢ δᵢ² / εᵢ⁴ + ρ Σ wᵢ max(0, δᵢ − Wᵢ)² / εᵢ⁴ over the
-/// samples of a chain by Gauss and Newton's method. θᵢ is the turn at sample i, wᵢ half the length
+/// samples of a chain by the Gauss-Newton method. θᵢ is the turn at sample i, wᵢ half the length
 /// of its two joins, δᵢ its distance to the drawing, εᵢ the slack and Wᵢ the distance of the felt
 /// walls there. κ₀ is the mean curvature of a loop, and 0 for an open chain and for a loop with
 /// corners. Turns at corners cost nothing. Legs have no drawing: their tension, t · length,
@@ -127,8 +127,8 @@ class FairChain {
   std::vector<Row> rows_;
   BandSystem system_, with_walls_;  // of a step: without walls, with the felt walls
   std::vector<double> stiffness_;   // per sample
-  std::vector<int> active_;         // per sample: 1 if its wall is felt; -1 across the drawing
-  std::vector<int> held_;           // per sample: whether the step leaves it in place
+  std::vector<int> active_;  // per sample: 1 or -1 if the wall on its or the other side is felt
+  std::vector<int> held_;    // per sample: whether the step leaves it in place
 };
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// The verdict on a fair curve rests on measures: bending, turns, and points at the boundary.
+// Fair measures decide whether a curve is fair: bending, turns, and points at the boundary.
 #pragma once
 
 #include <numbers>

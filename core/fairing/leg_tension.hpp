@@ -11,8 +11,8 @@ namespace talweg {
 /// The legs among the stretches of a chain, and their tension. A stretch leads from a fixed point
 /// to the next; the last stretch of a closed chain leads to the first fixed point.
 struct LegTension {
-  /// c >= 0: legs minimise ∫κ² ds · length^c. The minimum does not change when a fixed point is
-  /// inserted on it, and does not depend on the unit of length.
+  /// c >= 0: legs minimise ∫κ² ds · length^c. The minimising curve does not change when one of its
+  /// points becomes a fixed point, and does not depend on the unit of length.
   double length_exponent = 0;
   std::vector<bool> is_leg;        ///< per stretch; empty without legs
   std::vector<double> factors;     ///< per stretch: factor of its tension, >= 1

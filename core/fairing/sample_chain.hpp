@@ -22,12 +22,12 @@ struct ChainJoin {
   double length = 0;                   ///< mesh units
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
   bool bends = false;                  ///< whether it bends at a vertex
-  double to_first_bend = 0, from_last_bend = 0;  ///< lengths; of the whole join without bends
+  double to_first_bend = 0, from_last_bend = 0;  ///< lengths; the whole length if nothing bends
   /// The turns at the first and at the last bend, which may be the same bend, on the side with the
   /// smaller turn; radians, positive to the left.
   double first_turn = 0, last_turn = 0;
   bool bends_once = false;
-  std::uint32_t stretch = 0;  ///< counted by the fixed points before with_freed()
+  std::uint32_t stretch = 0;  ///< its number, with freed samples counted as fixed
 };
 
 /// The ends of an open chain are fixed, and other samples may be. Free samples lie inside faces.

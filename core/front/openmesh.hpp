@@ -1,5 +1,5 @@
-// The front door for OpenMesh tools opens their meshes, in single or double precision, and changes
-// them in place.
+// The header for programs that use OpenMesh: their meshes, in single or double precision, are
+// opened and changed in place.
 #pragma once
 
 #include "talweg/core/openmesh/close_seam.hpp"        // close_seam

@@ -68,8 +68,8 @@ class PlyReader {
       smallest += ascii_ ? 1 : size_of(property.is_list ? property.count_type : property.type);
     }
     if (smallest > 0 && element.count > (scanner_.remaining() + 1) / smallest) {
-      fail(fmt::format("the header says {} elements '{}', the file ends before", element.count,
-                       printable(element.name)));
+      fail(fmt::format("the header announces {} elements '{}', but the file ends before",
+                       element.count, printable(element.name)));
     }
   }
 

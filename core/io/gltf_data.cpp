@@ -170,8 +170,8 @@ std::string GltfData::read_uri(const JsonPlace& place) const {
     return read_file(file_.path.parent_path() / name);
   } catch (const Error&) {
     place.fail(
-        fmt::format("the file '{}' cannot be read, which should lie beside this one; a .glb "
-                    "has all in one file",
+        fmt::format("the file '{}', which should lie beside this one, cannot be read; a .glb "
+                    "has everything in one file",
                     printable(name)));
   }
 }

@@ -87,7 +87,8 @@ class AnnotReader {
       }
       const auto found = entry_of_.find(label);
       if (found == entry_of_.end()) {
-        fail(fmt::format("vertex {} has the color {}, which the color table has not", v, label));
+        fail(fmt::format("vertex {} has the color {}, which the color table does not have", v,
+                         label));
       }
       label = found->second;
     }

@@ -66,10 +66,11 @@ std::string freesurfer_label(const LabelContent& content) {
   for (std::size_t v = 0; v < labels.size(); ++v) {
     if (is_other(labels[v])) continue;
     if (labels[v] != *one) {
-      cannot_write(content.path,
-                   fmt::format("a .label holds one label beside 0 and -1, but the labels have {} "
-                               "and {} (.annot and .label.gii hold all)",
-                               *one, labels[v]));
+      cannot_write(
+          content.path,
+          fmt::format("a .label holds one label besides 0 and -1, but the labels include {} "
+                      "and {} (.annot and .label.gii hold all)",
+                      *one, labels[v]));
     }
     const Point& p = content.mesh.points[v];
     fmt::format_to(std::back_inserter(lines), "{} {} {} {} {}\n", v, p.x(), p.y(), p.z(), *one);

@@ -209,8 +209,8 @@ class ThreeMfReader {
     const std::size_t most = std::max(lists_.points.size(), lists_.triangles.size());
     if (most > std::max(kMostElements, unpacked_)) {
       fail(model, object,
-           fmt::format("with it the build has {} vertices or triangles, many of "
-                       "them repeated; expected are at most {}",
+           fmt::format("with this object the build has {} vertices or triangles, many of "
+                       "them repeated; expected at most {}",
                        most, kMostElements));
     }
     has_materials_ = has_materials_ || object.attribute("pid");

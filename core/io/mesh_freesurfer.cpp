@@ -105,7 +105,7 @@ void read_quads(BigEndianBytes& bytes, bool floats, MeshLists& lists) {
   }
   bytes.need(quads, 12, "faces");
   const auto count = static_cast<std::size_t>(quads);
-  lists.triangles.reserve(2 * count);  // not added as polygons, since these are fans
+  lists.triangles.reserve(2 * count);  // add_polygon() would make fans from the first corner
   for (std::size_t f = 0; f < count; ++f) {
     std::array<std::uint32_t, 4> q{};
     for (std::uint32_t& corner : q)

@@ -230,8 +230,8 @@ class GltfReader {
     constexpr std::size_t kMost = std::size_t{1} << 25U;
     if (count > std::max(kMost, data_.bytes())) {
       primitive.fail(
-          fmt::format("with it the scene has {} vertices or triangles, many of them "
-                      "repeated; expected are at most {}",
+          fmt::format("with this primitive the scene has {} vertices or triangles, many of them "
+                      "repeated; expected at most {}",
                       count, kMost));
     }
   }

@@ -126,7 +126,7 @@ class BinaryOffReader {
     const std::int32_t n = at == nullptr ? 0 : load<std::int32_t>(at, layout_.swap);
     if (n < 0 || n > 4) {
       bad_file(file_.path,
-               fmt::format("face {} has a colour of {} components; expected are 0 to 4.", f, n));
+               fmt::format("face {} has a colour of {} components; expected 0 to 4.", f, n));
     }
     if (at == nullptr || cursor_.take(kWord * static_cast<std::size_t>(n)) == nullptr) {
       bad_file(file_.path, fmt::format("the file ends in the colour of face {} of {}.", f, faces));

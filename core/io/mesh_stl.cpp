@@ -93,7 +93,7 @@ MeshLists read_binary(const MeshFile& file, std::size_t triangles, MeshAttribute
   const std::size_t rest = file.bytes.size() - kHeader - kTriangle * triangles;
   if (rest > 0) {
     lists.notes.push_back(fmt::format(
-        "{} bytes after the {} triangles of the STL file were passed over.", rest, triangles));
+        "{} bytes after the {} triangles of the STL file were ignored.", rest, triangles));
   }
   return lists;
 }

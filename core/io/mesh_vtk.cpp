@@ -17,7 +17,7 @@ namespace {
 using formats::VtkCell;
 using formats::VtkLegacy;
 
-/// The cells of one section; cell k has the points from ends[k] up to ends[k + 1].
+/// The cells of one section; cell k has the points from begins[k] up to ends[k].
 struct LegacyCells {
   std::vector<std::size_t> begins, ends;
   std::vector<double> points;

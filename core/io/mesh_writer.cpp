@@ -84,10 +84,11 @@ void check_outlines(const std::filesystem::path& name, const MeshLists& lists,
       return at.triangle < lists.triangles.size() && at.corner < 3;
     });
     if (exists && face.size() >= 3) continue;
-    throw Error(ErrorCode::kBadUsage,
-                fmt::format("Polygon {} has less than three corners, or one of a triangle that "
-                            "does not exist.",
-                            f));
+    throw Error(
+        ErrorCode::kBadUsage,
+        fmt::format("Polygon {} has fewer than three corners, or a corner of a triangle that "
+                    "does not exist.",
+                    f));
   }
 }
 
@@ -95,7 +96,7 @@ void check_attributes(const MeshLists& lists, const MeshAttributes& attributes) 
   const auto check = [](const std::string& name, std::size_t given, std::size_t expected) {
     if (given == expected) return;
     throw Error(ErrorCode::kBadUsage,
-                fmt::format("There are {} of '{}', expected are {}.", given, name, expected));
+                fmt::format("There are {} values of '{}' instead of {}.", given, name, expected));
   };
   for (const AttributeColumn& c : attributes.vertices) {
     check(c.name, c.values.size(), lists.points.size());

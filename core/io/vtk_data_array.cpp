@@ -55,7 +55,7 @@ class ByteStream {
     int all = 0;
     for (const char c : stored_.substr(at_, 4)) {
       const int digit = base64_digit(c);
-      all |= digit;  // negative if one is
+      all |= digit;  // negative if any digit is
       bits = bits << 6U | static_cast<std::uint32_t>(digit & 63);
     }
     if (all < 0) return false;

@@ -70,7 +70,7 @@ std::vector<std::string> warnings_of(const LabelNetwork& network, const LabelNam
     const auto found = names.find(region.label);
     const std::string name = found == names.end() ? "" : found->second;
     warnings.push_back(
-        fmt::format("Region {}{} is too small or too thin for this tolerance: borders of it are "
+        fmt::format("Region {}{} is too small or too thin for this tolerance: its borders are "
                     "held nearer to the drawing.",
                     region.label, name.empty() ? "" : " (" + name + ")"));
   }

@@ -13,8 +13,9 @@
 namespace talweg {
 
 /// The curve that consists of the legs of `straight` and the strokes of `strokes`, which pass the
-/// same fixed points; `strokes` where they do not. All functions here are O(points). A loop costs
-/// O(points) for each passage of its first fixed point without the other fixed points in order.
+/// same fixed points; `strokes` where they do not. All functions here are O(points); on a loop that
+/// passes its first fixed point several times, O(points) for each passage that is tried as the
+/// beginning.
 SurfaceCurve with_legs(const DrawnLegs& legs, const SurfaceCurve& strokes,
                        const SurfaceCurve& straight);
 

@@ -1,4 +1,4 @@
-// Straight legs are the legs between way-points, each straightened for itself and cached.
+// Straight legs are the legs between way-points, each straightened by itself and cached.
 #pragma once
 
 #include <cstddef>

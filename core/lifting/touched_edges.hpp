@@ -1,5 +1,5 @@
-// Touched edges are the edges that a straightening has read; they bound its distance from the
-// curves.
+// Touched edges are the edges whose lengths a straightening has read, with their largest distance
+// from the curves.
 #pragma once
 
 #include <span>

@@ -115,7 +115,7 @@ class MeanDistance {
 
 OneSidedDeviation one_sided_deviation(std::span<const Segment> from, const NearestSegment& to,
                                       const Progress& progress) {
-  if (from.empty()) throw Error(ErrorCode::kBadCurve, "A curve without points deviates nowhere.");
+  if (from.empty()) throw Error(ErrorCode::kBadCurve, "A curve without points has no deviation.");
   const double rounding = std::max(rounding_of(from), rounding_of(to.segments()));
   if (!std::isfinite(rounding)) {
     throw Error(ErrorCode::kBadCurve, "The curve has a coordinate that is not finite.");

@@ -43,9 +43,10 @@ class FaceBounds {
     return best;
   }
 
-  /// Whether the bound by way of the nearest points of a side, along which both curves run, to the
-  /// pieces in the face across it is at most `enough`. A stroke along an edge trembles to both
-  /// sides of the edge by rounding.
+  /// Whether a bound through a side of the face is at most `enough`: for each sample, its height
+  /// over the side plus the distance from its foot on the side to a piece in the face beyond. By
+  /// rounding, the points of a stroke along an edge lie on both sides of the edge, so two curves
+  /// along one edge may have no common face.
   [[nodiscard]] bool less_across_a_side(const CurveSegment& s, const SegmentSample& a,
                                         const SegmentSample& b, double enough) const {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -59,11 +60,11 @@ class FaceBounds {
     return false;
   }
 
-  /// Whether the bound by way of a point on a side of the face is less than `enough`. One point to
-  /// the left and one to the right of the segment are tried: where the shortest way probably enters
-  /// the face, given the angle at which it meets the segment, which follows from the slope of the
-  /// distance. Distances beyond `enough` are not computed, because the sides of large faces may be
-  /// far away.
+  /// Whether the bound through a point on a side of the face is less than `enough`. One point to
+  /// the left and one to the right of the segment are tried: the points where the shortest way
+  /// probably enters the face. The slope of the distance gives the angle at which this way meets
+  /// the segment. Distances beyond `enough` are not computed, because the sides of large faces may
+  /// be far away.
   bool less_by_sides(const CurveSegment& s, const SegmentSample& a, const SegmentSample& b,
                      double enough) {
     if (less_by_sides_in(s, a, b, enough)) return true;
@@ -74,8 +75,8 @@ class FaceBounds {
   }
 
  private:
-  /// The distance is at most the height over the side plus the distance of the foot in the face
-  /// across it; both are convex along the segment.
+  /// The distance of a point is at most its height over the side plus the distance of its foot to a
+  /// piece in the face across the side; both are convex along the segment.
   [[nodiscard]] bool less_across(const SideFrame& frame, PlanePoint p, PlanePoint q,
                                  double enough) const {
     if (!surface_->has_face(twin(frame.side))) return false;

@@ -145,7 +145,7 @@ struct SmoothingReport {
   std::size_t crossings_after = 0;  ///< of the result, counted in the same way
   Outcome termination = Outcome::kConverged;
   std::vector<std::string> warnings;  ///< sentences for the user
-  std::vector<Decisive> decisive;     ///< the warnings by which the result may be useless
+  std::vector<Decisive> decisive;     ///< warnings that the result may be useless
   StageTimes time_ms;                 ///< milliseconds
   double peak_memory_mib = 0;         ///< MiB, largest use of the process so far
 };

@@ -23,7 +23,7 @@ SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& dra
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const SurfaceCurve& result);
 
-/// The report without a result: the values after are those of the drawing.
+/// The report on a drawing without a result, whose entries have the values of the drawing.
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                   const CurveMeasures& measures);
 
@@ -37,7 +37,7 @@ struct MeasuredDeviation {
   Point at = Point::Constant(HUGE_VAL);  ///< the point at the larger of both maxima
   bool exact = true;                     ///< if false, maxima and means are upper bounds
   double at_least = HUGE_VAL;            ///< lower bound of the larger maximum
-  bool spared = false;  ///< exact distances would have taken far longer than smoothing
+  bool spared = false;  ///< not exact, because exact distances take far longer than smoothing
 };
 
 /// Measures the deviation, along the surface within the budget of `progress`. kAutomatic acts as

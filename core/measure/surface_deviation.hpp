@@ -82,8 +82,8 @@ class DeviationMeter {
   std::vector<bool> are_near(std::span<const SurfacePoint> points, std::span<const double> limits,
                              const SurfaceCurve& curve);
 
-  /// The meter's distance, which callers may use until the next measurement. A caller that sets an
-  /// poller must remove it again.
+  /// The meter's distance, which callers may use until the next measurement. A caller that sets a
+  /// poller must remove the poller again.
   PolylineDistance& distance();
 
  private:

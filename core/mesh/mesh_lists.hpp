@@ -59,7 +59,7 @@ struct MeshLists {
   std::vector<Triangle> triangles;     ///< counterclockwise, indices of points
   std::size_t polygon_count = 0;       ///< faces of the file with more than three corners
   bool single_precision = false;       ///< the file stores its coordinates as 32-bit floats
-  std::vector<Polygon> polygons = {};  ///< these faces, unless the triangles have been changed
+  std::vector<Polygon> polygons = {};  ///< faces of more than three corners; none after a repair
   PolygonShapes polygon_shapes = {};
   std::optional<LengthUnit> unit = {};          ///< of the coordinates, if the file has it
   PatientSpace space = PatientSpace::kNotSaid;  ///< of the coordinates, if the file has it

@@ -19,7 +19,7 @@ constexpr double kLeastRoughness = 0.04;
 /// normal of the surface without its parts finer than 4 edges. For noise, d₂ and d₄ are nearly
 /// equal. At a crease d₄ = 2 d₂, on a curved surface d₄ is larger, so σ = 0. The result is the
 /// upper quartile of σ over 24 vertices along the curves; 0 if fewer than 200 vertices are near,
-/// because so few cannot tell noise from shape. O(vertices within eight edges of these + points)
+/// because so few cannot tell noise from shape. O(points + vertices within eight edges of the 24),
 /// and an array over all vertices. Throws Cancelled.
 double roughness_along(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                        const Progress& progress = {});

@@ -10,9 +10,10 @@
 namespace talweg {
 
 /// The places on a line of the given length where a stretch near the curve begins or ends, in
-/// order. `begins_near` and `ends_near` are the same for all lines that meet at the end. Where the
-/// stretches disagree with them, by rounding, a crossing is put at the very end of the line. The
-/// number of crossings is therefore odd if and only if one end is near and the other is far.
+/// order. `begins_near` and `ends_near` tell whether the ends of the line are near; all lines that
+/// meet at an end must have the same value there. If the stretches disagree with these values, by
+/// rounding, a crossing is put at the very end of the line. The number of crossings is therefore
+/// odd if and only if one end is near and the other is far.
 inline std::vector<double> level_crossings(std::span<const Stretch> near, double length,
                                            bool begins_near, bool ends_near) {
   std::vector<double> at;

@@ -1,4 +1,5 @@
-// A way's origin is the point of a curve where the shortest way begins, and the side of the curve.
+// A way's origin is the point of a curve where the shortest way begins, and the side to which the
+// way leaves the curve.
 #pragma once
 
 #include <cstdint>

@@ -87,7 +87,7 @@ class OpenMeshIds {
     }
     throw Error(ErrorCode::kBadUsage, "The " + std::string(what) + " handle " +
                                           std::to_string(handle) +
-                                          " is not of the mesh that was opened.");
+                                          " does not belong to the mesh that was opened.");
   }
 
   std::vector<std::uint32_t> vertex_ids_;

@@ -80,8 +80,9 @@ template <OpenMeshKernel Mesh>
 SurfacePoint surface_point(const Mesh& mesh, const OpenMeshIds& ids, const Surface& surface,
                            const HandlePoint& point) {
   const auto refuse = [](const std::string& what, int handle) -> Error {
-    return Error(ErrorCode::kBadCurve, "The " + what + " handle " + std::to_string(handle) +
-                                           " of a point is not of the mesh that was opened.");
+    return Error(ErrorCode::kBadCurve,
+                 "The " + what + " handle " + std::to_string(handle) +
+                     " of a point does not belong to the mesh that was opened.");
   };
   const auto vertex = [&](OpenMesh::VertexHandle v) {
     const VertexId id = ids.find(v);

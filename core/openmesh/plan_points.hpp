@@ -1,4 +1,4 @@
-// The vertices and faces of a division plan as handles of one mesh.
+// Plan points are the vertices and faces of a division plan as handles of a mesh.
 #pragma once
 
 #include <algorithm>

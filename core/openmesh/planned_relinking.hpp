@@ -294,8 +294,8 @@ class RelinkingFinder {
       Halfedge& h = wanted_[key(a, b)];
       if (!h.is_valid() && points_.is_old(a) && points_.is_old(b)) h = old_halfedge(a, b);
       if (!h.is_valid()) {
-        PlanPoints<Mesh, Numbers>::refuse("No edge joins vertices " + std::to_string(i) +
-                                          " and its next of chain " + std::to_string(c));
+        PlanPoints<Mesh, Numbers>::refuse("No edge joins vertex " + std::to_string(i) +
+                                          " of chain " + std::to_string(c) + " to the next vertex");
       }
       found_.chains[c].push_back(h);
     });

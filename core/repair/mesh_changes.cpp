@@ -72,10 +72,11 @@ RepairSteps repair_steps(std::string_view list) {
       found = true;
     }
     if (!found) {
-      throw Error(ErrorCode::kBadUsage,
-                  fmt::format("\"{}\" is no repair; known are weld, weld=TOLERANCE, drop, orient, "
-                              "split and all, separated by commas.",
-                              word));
+      throw Error(
+          ErrorCode::kBadUsage,
+          fmt::format("\"{}\" is not a repair; known are weld, weld=TOLERANCE, drop, orient, "
+                      "split and all, separated by commas.",
+                      word));
     }
     begin = end + 1;
   }

@@ -10,7 +10,7 @@
 namespace talweg {
 
 /// "2880 vertices lie at the place of others: with repair=weld the mesh has 1 part instead of 960
-/// and no boundary instead of 960 boundary loops." `option` is how the host is asked for a repair.
+/// and no boundary instead of 960 boundary loops." `option`: the text before the steps.
 std::string weld_sentence(const MeshInspection& before, const WeldedMesh& welded,
                           std::string_view option = "repair=");
 

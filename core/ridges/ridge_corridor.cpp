@@ -12,11 +12,11 @@ namespace talweg {
 namespace {
 
 constexpr std::size_t kOnEdge = 3;  // nodes inside each edge
-constexpr double kGround = 4;       // the cost per length without a ridge; 1 / kGround on the best
+constexpr double kGround = 4;       // cost per length without a ridge; 1 / kGround on the best one
 constexpr double kFullTurn = 10 * std::numbers::pi / 180;
 constexpr double kRim = 0.5;
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
+constexpr std::uint32_t kNoElement = 0xFFFFFFFFU;
 
 /// The pull of a ridge, in [0, 1). At a pull of a half, a ridge costs as much as the drawing.
 double pull_of(double angle, double strength) {
@@ -131,7 +131,7 @@ void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings,
   };
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     add(mesh_->point(vertices_[i]), away[i], ridge[i]);
-    elements_.push_back({static_cast<std::uint32_t>(i), kNobody});
+    elements_.push_back({static_cast<std::uint32_t>(i), kNoElement});
   }
   const Surface& surface = mesh_->surface();
   for (const EdgeId edge : edges_) {
@@ -142,7 +142,7 @@ void RidgeCorridor::place_nodes(RidgeField& field, const Settings& settings,
       const double t = static_cast<double>(k) / (kOnEdge + 1);
       add((1 - t) * places_[a] + t * places_[b], (1 - t) * away[a] + t * away[b],
           (1 - t) * ridge[a] + t * ridge[b]);
-      elements_.push_back({kNobody, side_numbers_.at(edge.index())});
+      elements_.push_back({kNoElement, side_numbers_.at(edge.index())});
     }
     poller.add_work(20);
     edge_pull_.push_back(pull_of(field.along(edge), settings.strength));
@@ -165,8 +165,8 @@ void RidgeCorridor::place_drawn(RidgeField& field, double strength) {
     rim_.push_back(0);
     const auto* v = std::get_if<AtVertex>(&line_[k].where());
     const auto* e = std::get_if<OnEdge>(&line_[k].where());
-    elements_.push_back({v != nullptr ? vertex_nodes_.at(v->vertex.index()) : kNobody,
-                         e != nullptr ? side_numbers_.at(e->edge.index()) : kNobody});
+    elements_.push_back({v != nullptr ? vertex_nodes_.at(v->vertex.index()) : kNoElement,
+                         e != nullptr ? side_numbers_.at(e->edge.index()) : kNoElement});
     faces_at_.emplace_back();
     for (const FaceId face : faces_at(surface, line_[k])) {
       const std::uint32_t f = face_numbers_.at(face.index());
@@ -264,9 +264,9 @@ void RidgeCorridor::relax(std::size_t from, std::size_t to, double cost) {
 
 void RidgeCorridor::run(std::span<const Start> starts, ProgressPoller& poller) {
   cost_.assign(size(), kNever);
-  before_.assign(size(), kNobody);
+  before_.assign(size(), kNoElement);
   heap_.clear();
-  for (const Start& start : starts) relax(kNobody, start.node, start.cost);
+  for (const Start& start : starts) relax(kNoElement, start.node, start.cost);
   while (!heap_.empty()) {
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     const auto [cost, node] = heap_.back();
@@ -284,7 +284,7 @@ void RidgeCorridor::run(std::span<const Start> starts, ProgressPoller& poller) {
 
 std::vector<std::size_t> RidgeCorridor::way_to(std::size_t node) const {
   std::vector<std::size_t> way;
-  for (std::size_t at = node; at != kNobody; at = before_[at]) way.push_back(at);
+  for (std::size_t at = node; at != kNoElement; at = before_[at]) way.push_back(at);
   std::reverse(way.begin(), way.end());
   return way;
 }

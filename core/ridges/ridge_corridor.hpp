@@ -1,4 +1,4 @@
-// A ridge corridor is the surface around a part of a drawing as a graph, in which ridges are fast.
+// A ridge corridor is a graph on the surface around a part of a drawing, in which ridges are cheap.
 #pragma once
 
 #include <array>
@@ -16,35 +16,37 @@
 
 namespace talweg {
 
-/// The nodes of the graph are vertices, three points of each edge, and the points of the drawing;
-/// two nodes are joined where they lie in a common face. The cost of an arc is its length times a
-/// factor: 1 along the drawing, 4 on ground, and less on a ridge the more the surface turns there.
-/// At `strength` 1 a ridge costs as much as the drawing where the surface turns by 10°, and a
-/// quarter in the limit. At the rim of the corridor all costs are half as much again as at the
-/// drawing.
+/// The nodes of the graph are vertices, three points of each edge, and the points of the drawing.
+/// Arcs join the nodes of each face. The cost of an arc is its length times a factor: 1 along the
+/// drawing, 4 where there is no ridge, and less on a ridge, the more the surface turns there. At
+/// `strength` 1 the factor of a ridge is 1 where the surface turns by 10°, and tends to 1/4 for
+/// larger turns. Costs also grow with the distance from the drawing, by half at the rim of the
+/// corridor.
 class RidgeCorridor {
  public:
-  static constexpr double kAsDrawn = 0.5;  ///< of a pull
+  static constexpr double kAsDrawn =
+      0.5;  ///< the pull at which arcs cost as much as along the drawing
   struct Settings {
-    double width = 0;     ///< mesh units, > 0, along edges: how far from the drawing nodes lie
+    double width = 0;  ///< mesh units, > 0, along edges: largest distance of nodes from the drawing
     double strength = 0;  ///< (0, 1]
   };
-  /// Neighbours of the line share a face. O(vertices within the width, and those of RidgeField).
+  /// Neighbouring points of `line` must share a face. O(vertices within the width, and those of
+  /// RidgeField).
   RidgeCorridor(const SurfaceMesh& mesh, RidgeField& field, std::span<const SurfacePoint> line,
                 const Settings& settings, ProgressPoller& poller);
 
   [[nodiscard]] std::size_t size() const { return places_.size(); }
   [[nodiscard]] const Point& position(std::size_t node) const { return places_[node]; }
   [[nodiscard]] SurfacePoint point(std::size_t node) const;
-  /// A number of a vertex, or of a point of an edge, that is the same in all corridors on a mesh.
+  /// A number of a vertex, or of a point of an edge; the same in all corridors on one mesh.
   [[nodiscard]] std::uint64_t key(std::size_t node) const;
   /// Whether the node may be used, that is, lies within the width.
   [[nodiscard]] bool is_inside(std::size_t node) const { return inside_[node] != 0; }
   [[nodiscard]] std::size_t drawn_count() const { return line_.size(); }
   [[nodiscard]] std::size_t drawn_node(std::size_t k) const { return first_drawn_ + k; }
   [[nodiscard]] bool is_drawn(std::size_t node) const { return node >= first_drawn_; }
-  /// How strongly a node attracts, [0, 1): at kAsDrawn an arc costs as much as along the drawing.
-  /// The pull of a node that is not drawn includes the creases on which the node lies.
+  /// The attraction of a node, in [0, 1). An arc between nodes with the pull kAsDrawn costs as much
+  /// as along the drawing. The pull includes the creases on which the node lies.
   [[nodiscard]] double pull(std::size_t node) const;
   /// Whether the arc between two neighbours costs at most as much as along the drawing.
   [[nodiscard]] bool is_ridge_between(std::size_t from, std::size_t to) const;
@@ -89,13 +91,13 @@ class RidgeCorridor {
   std::vector<std::vector<std::uint32_t>> faces_at_;  // per vertex, then per edge, then drawn point
   std::size_t first_drawn_ = 0;
   struct Element {
-    std::uint32_t vertex, edge;  // of the corridor; one or neither of them
+    std::uint32_t vertex, edge;  // of the corridor; 0xFFFFFFFF for none
   };
   std::vector<Element> elements_;  // per node
   std::vector<Point> places_;      // per node
   std::vector<std::uint8_t> inside_;
   std::vector<double> pull_;       // per node: [0, 1)
-  std::vector<double> rim_;        // per node: the logarithm of what its distance costs
+  std::vector<double> rim_;        // per node: logarithm of the factor for its distance
   std::vector<double> edge_pull_;  // per edge of the corridor
   std::vector<double> cost_;
   std::vector<std::uint32_t> before_;

@@ -53,8 +53,8 @@ RidgeField::Known& RidgeField::known(VertexId vertex) {
   return known_[slot - 1];
 }
 
-/// Gathers the vertices that paths of edges inside a ball join to the vertex at its centre, which
-/// comes first.
+/// Gathers the vertices that edge paths inside a ball join to its centre, which is the first
+/// vertex.
 void RidgeField::gather(VertexId vertex, double radius, std::vector<VertexId>& ball) {
   const Surface& surface = mesh_->surface();
   const Point& middle = mesh_->point(vertex);
@@ -136,7 +136,7 @@ const RidgeField::Turn& RidgeField::turn(VertexId vertex) {
 /// The height of a ridge: its angle minus the least angle beside it, within two scales; the side
 /// with the larger least angle counts.
 double RidgeField::height(VertexId vertex, std::size_t side) {
-  if (const auto& is = known(vertex).height[side]) return *is;
+  if (const auto& value = known(vertex).height[side]) return *value;
   const Turn here = turn(vertex);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::array<double, 2> least{kNone, kNone};
@@ -159,7 +159,8 @@ double RidgeField::height(VertexId vertex, std::size_t side) {
   return height;
 }
 
-/// The height, reduced by the fourth power of its ratio to the largest height a little beside.
+/// The height times the fourth power of its ratio to the largest height across the ridge within the
+/// scale.
 double RidgeField::sharpened(VertexId vertex, std::size_t side) {
   const double here = height(vertex, side);
   if (!(here > 0)) return 0;
@@ -177,7 +178,7 @@ double RidgeField::sharpened(VertexId vertex, std::size_t side) {
 }
 
 double RidgeField::at(VertexId vertex) {
-  if (const auto& is = known(vertex).at) return *is;
+  if (const auto& value = known(vertex).at) return *value;
   double most = 0;
   for (std::size_t side = 0; side < 2; ++side) {
     if (counts_[side]) most = std::max(most, sharpened(vertex, side));
@@ -220,13 +221,13 @@ double RidgeField::usual_dihedral(VertexId vertex) {
 double RidgeField::along(EdgeId edge) {
   const double angle = dihedral(edge);
   if (!counts_[angle > 0 ? 0 : 1]) return 0;
-  const double much = std::abs(angle) - rough_angle_;
+  const double excess = std::abs(angle) - rough_angle_;
   constexpr double kLeast = 0.05;  // radians
-  if (!(much > kLeast)) return 0;
+  if (!(excess > kLeast)) return 0;
   const HalfedgeId h = halfedge_of(edge);
   const Surface& surface = mesh_->surface();
   const double usual = std::max(usual_dihedral(surface.tail(h)), usual_dihedral(surface.head(h)));
-  return std::max(0.0, std::min(much, std::abs(angle) - usual));
+  return std::max(0.0, std::min(excess, std::abs(angle) - usual));
 }
 
 }  // namespace talweg

@@ -1,4 +1,4 @@
-// A ridge field tells by how much a surface turns at its ridges and valleys.
+// A ridge field measures the angles by which a surface turns at its ridges and valleys.
 #pragma once
 
 #include <array>
@@ -14,39 +14,41 @@
 
 namespace talweg {
 
-/// Which lines count: the side from which faces are counterclockwise is outside.
+/// The lines that count as ridges. The outside is the side from which faces are counterclockwise.
 enum class RidgeKind {
   kBoth,
-  kConvex,   ///< ridges: edges of a solid, crests, margins that stand out
-  kConcave,  ///< valleys: fissures, grooves, the foot of a wall
+  kConvex,   ///< lines that stand out: edges of a solid, crests, raised margins
+  kConcave,  ///< lines that lie deep: fissures, grooves, the foot of a wall
 };
 /// The kind with the name "both", "convex" or "concave". Throws Error(kBadUsage) for other names.
 RidgeKind ridge_kind(std::string_view name);
 
-/// Values are angles, so they do not depend on units. Nothing is computed before it is asked for:
-/// memory for a number per vertex is taken, and written only where something was asked. The mesh
-/// must outlive the field. One thread at a time.
+/// The strength of ridges at vertices and along edges, as angles, which do not depend on the unit
+/// of length. A value is computed at its first query. Arrays over all vertices are zeroed memory
+/// (zeroed_memory.hpp), so only the pages that queries touch take memory. The mesh must outlive the
+/// field. One thread at a time.
 class RidgeField {
  public:
-  /// The scale is a radius in mesh units, > 0; `roughness` is that of roughness_along() there.
+  /// `scale`: the radius within which turning is measured, mesh units, > 0. `roughness`:
+  /// roughness_along() of the curves there.
   RidgeField(const SurfaceMesh& mesh, RidgeKind kind, double scale, double roughness);
 
-  /// By how much the surface turns at a vertex over the scale, more than beside it: radians, in
-  /// [0, π). Of a sharp crease that is about its angle; on planes, spheres and cylinders it is 0;
-  /// across a ridge it falls off within half of the scale. It comes from the quadric that fits the
-  /// vertices within the scale best, which averages noise. O(vertices within three scales), each
-  /// once.
+  /// The angle by which the surface turns at a vertex, within the scale, minus the angle beside the
+  /// vertex: radians, in [0, π). The value is about the dihedral angle at a sharp crease, and 0 on
+  /// planes, spheres and cylinders; across a ridge it falls off within half of the scale. The angle
+  /// follows from the quadric that fits the vertices within the scale best, which averages noise.
+  /// O(vertices within three scales), once per vertex.
   double at(VertexId vertex);
 
-  /// The angle of the crease along an edge, without what is usual around it and what the mesh's
-  /// roughness makes: radians, in [0, π). O(edges within two rings).
+  /// The dihedral angle of an edge beyond the usual dihedral angle around the edge and beyond the
+  /// angle that the mesh's roughness explains: radians, in [0, π). O(edges within two rings).
   double along(EdgeId edge);
 
  private:
-  /// How the surface turns at a vertex: first to the inside, as on ridges, then to the outside.
+  /// The turn of the surface at a vertex: first as on a ridge, then as in a valley.
   struct Turn {
     std::array<double, 2> angle{};  ///< radians, >= 0
-    std::array<Point, 2> across;    ///< unit direction in which it turns most
+    std::array<Point, 2> across;    ///< unit direction in which the surface turns most
     Point along_normal;             ///< the unit normal of the fit
     bool fitted = false;
   };

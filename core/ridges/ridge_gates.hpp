@@ -1,4 +1,4 @@
-// Ridge gates are the places of a drawing that a path along ridges must pass exactly or nearby.
+// Ridge gates are the places of a drawing that a path along ridges must pass, exactly or nearby.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,22 @@
 namespace talweg {
 
 struct RidgeGate {
-  std::size_t point = 0;  ///< of the curve
-  /// Mesh units, >= 0: how far from the point the way may pass. Where it costs something, only on
-  /// a ridge: with little cost it is pulled there as a whole, and not half of the way.
+  std::size_t point = 0;  ///< index of the curve's point
+  /// Mesh units, >= 0: the largest distance from the point at which the path may pass. If `cost` is
+  /// above 0, the path may leave the point only for a ridge, so it moves all the way onto the ridge
+  /// or stays.
   double radius = 0;
-  double cost = 0;   ///< of each mesh unit of that distance
-  double faint = 0;  ///< mesh units: what a place costs where nothing attracts
-  /// Mesh units: what the point itself costs where a ridge passes the gate. More than the ridge
-  /// beside it costs at ends of strokes, for which the way would else leave the ridge.
+  double cost = 0;   ///< of each mesh unit of distance from the point
+  double faint = 0;  ///< mesh units: cost of a place without attraction; less with attraction
+  /// Mesh units: the cost of passing the point itself, if a ridge passes the gate. At ends of
+  /// strokes, this cost exceeds the cost of the ridge beside the point; otherwise the path would
+  /// leave the ridge for the point.
   double leaves_for = 0;
-  bool is_click = false;      ///< its way-point goes along
-  bool is_on_border = false;  ///< the way passes the mesh's border there
-  /// At ends of open curves the unit direction of the drawing, and how far along it the way may
-  /// pass the point, mesh units, which costs as much again: it begins and ends beside what was
-  /// drawn, neither before nor after it.
+  bool is_click = false;      ///< whether the point is a way-point, which moves with the path
+  bool is_on_border = false;  ///< whether the path must pass at the mesh's border
+  /// At ends of open curves: the unit direction of the drawing, and the largest distance along this
+  /// direction, before or after the point, at which the path may pass (mesh units, which are also
+  /// its cost). The result therefore begins and ends beside the drawn ends.
   Point along = Point::Zero();
   double thickness = 0;
 };
@@ -40,15 +42,15 @@ struct RidgeGates {
 };
 
 struct RidgeBand {
-  double width = 0;      ///< mesh units: of strokes, and around clicks and ends
-  double leg_part = 0;   ///< the corridor of a leg is at least this part of its length
-  double leg_width = 0;  ///< mesh units: and at most as wide as this, or as the band
-  double edge = 0;       ///< mesh units: the length of the mesh's edges there
+  double width = 0;      ///< mesh units: of corridors of strokes, and around clicks and ends
+  double leg_part = 0;   ///< width of a leg's corridor, as part of the leg's length; >= `width`
+  double leg_width = 0;  ///< mesh units: largest width of a leg's corridor, if above `width`
+  double edge = 0;       ///< mesh units: length of the mesh's edges near the drawing
 };
 
 /// Way-points and free ends may move within the band, but no more than a third of the way to the
-/// next gate. Points of `fixed` stay. A stroke has gates that are free within the band at least
-/// every 16 bands. O(points).
+/// next gate. Points of `fixed` stay. A stroke has additional gates at least every 16 bands, at
+/// which the path may pass anywhere within the band. O(points).
 RidgeGates ridge_gates(const SurfaceMesh& mesh, const SurfaceCurve& curve, const PointLookup& fixed,
                        std::span<const WayPoint> way_points, std::span<const SurfacePoint> painted,
                        const RidgeBand& band);

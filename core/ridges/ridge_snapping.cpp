@@ -180,8 +180,8 @@ class Departures {
   double left_ = 0, stayed_ = 0;  // lengths of the drawing that moved onto ridges, or lay there
 };
 
-/// How far from the drawing a ridge may lie to attract it. A click moves at most a third of the way
-/// to the next, so a curve whose points were all clicked is held by dense clicks.
+/// The largest distance at which a ridge attracts the drawing. A click moves at most a third of the
+/// way to the next click, so dense clicks hold a curve whose points were all clicked.
 double reach_of(const RidgeGates& gates, double band) {
   double reach = 0;
   for (const RidgeGate& gate : gates.gates) reach = std::max(reach, gate.radius);

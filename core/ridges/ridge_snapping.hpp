@@ -1,4 +1,4 @@
-// Ridge snapping moves drawings that run along a ridge or a valley onto it.
+// Ridge snapping moves drawings onto the ridges and valleys along which they run.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 namespace talweg {
 
 struct RidgeOptions {
-  /// [0, 1]. At s the surface must turn by 10° / s for a ridge to be better than the drawing; at 0
-  /// nothing is moved.
+  /// [0, 1]. At strength s, a ridge is better than the drawing where the surface turns by more than
+  /// 10° / s; at 0 nothing is moved.
   double strength = 0;
   RidgeKind kind = RidgeKind::kBoth;
   /// Mesh units, > 0: the largest distance between the drawing and a ridge. The default is a
@@ -36,8 +36,8 @@ struct RidgeMoves {
   double band = 0;      ///< mesh units
   double reach = 0;     ///< mesh units: the band, or less where dense clicks hold the curve
   double scale = 0;     ///< mesh units: the radius within which turning was measured
-  double moved = 0;     ///< [0, 1]: the part of the drawing's length that left for a ridge
-  double already = 0;   ///< [0, 1]: the part that lay on a ridge as it was drawn
+  double moved = 0;     ///< [0, 1]: the part of the drawing's length that moved onto ridges
+  double already = 0;   ///< [0, 1]: the part that lay on ridges before
   double farthest = 0;  ///< mesh units, between the moved part and the ridge: the larger direction
   std::size_t clicks = 0;     ///< way-points that moved
   double farthest_click = 0;  ///< mesh units
@@ -57,11 +57,12 @@ struct RidgedDrawing {
 
 /// Moves each curve onto ridges that lie within the band; the rest of the curve stays as drawn, to
 /// the last bit. The new course is the cheapest path in the band (RidgeCorridor has the costs,
-/// RidgeField the turning). Where it leaves the drawing but most of it runs on no ridge, the
-/// drawing is kept. Free ends and way-points move along; points of `fixed` and points that curves
-/// have in common stay. On rough meshes turning is measured in a larger radius. At strength 0 the
-/// drawing stays unchanged. Throws Error(kBadUsage) as validate() does, and Cancelled. O(vertices
-/// within the bands); with a strength above 0, also O(vertices of the mesh) to clear arrays.
+/// RidgeField the turning). A part of this path that leaves the drawing, but runs mostly beside
+/// ridges, is dropped. Free ends and way-points move along; points of `fixed` and points that
+/// curves have in common stay. On rough meshes turning is measured in a larger radius. At strength
+/// 0 the drawing stays unchanged. Throws Error(kBadUsage) as validate() does, and Cancelled.
+/// O(vertices within the bands); with a strength above 0, also O(vertices of the mesh) to clear
+/// arrays.
 RidgedDrawing snapped_to_ridges(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                 std::span<const SurfacePoint> fixed, MarkedPoints points,
                                 const RidgeOptions& options, const Progress& progress = {});

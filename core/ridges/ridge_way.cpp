@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t kTheGateItself = std::numeric_limits<std::uint64_t>::max();
 
-/// A node of a corridor at a gate, and the cost of the way's passing there.
+/// A node of a corridor at a gate, and the cost of passing the gate at this node.
 struct GateNode {
   std::size_t node = 0;
   double cost = 0;
 };
-/// The keys are those that the corridors on both sides of a gate have in common. The map is only
-/// looked up or reduced to a minimum, so its order does not matter.
+/// The nodes at a gate by RidgeCorridor::key(), which is the same in the corridors on both sides of
+/// the gate. The map is only looked up or reduced to a minimum, so its order does not matter.
 using GateNodes = std::unordered_map<std::uint64_t, GateNode>;
 
 class WayFinder {
@@ -92,8 +92,8 @@ class WayFinder {
     return nodes;
   }
 
-  /// Whether a ridge passes across the gate: its nodes lie within a width. Nodes of a ridge that
-  /// runs along the gate, and so crosses the drawing, lie farther apart.
+  /// Whether a ridge passes through the gate: the ridge's nodes at the gate then lie within `width`
+  /// of each other. Nodes of a ridge that crosses the drawing lie farther apart.
   [[nodiscard]] static bool is_narrow(const std::vector<Point>& ridge, const Point& middle,
                                       double width) {
     if (ridge.empty()) return false;

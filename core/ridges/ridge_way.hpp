@@ -1,5 +1,5 @@
-// A ridge way is the cheapest path through the gates of a drawing, along ridges where that costs
-// less.
+// A ridge way is the cheapest path through the gates of a drawing; it follows ridges where they
+// cost less than the drawing.
 #pragma once
 
 #include <cstddef>
@@ -22,11 +22,11 @@ struct RidgeStep {
   bool ridge_next = false;           ///< whether a ridge leads to the next step
 };
 
-/// The cheapest way through all gates (RidgeCorridor has the costs): each leg is searched once,
-/// from all places at which the way may enter it. Of a loop none of whose gates stays, the first
-/// search only decides where it passes the gate that is farthest from its beginning; the second
-/// begins and ends there. Coincident steps are one; a closed way does not repeat its first step.
-/// Throws Cancelled. O(corridors), see RidgeCorridor.
+/// The cheapest way through all gates (RidgeCorridor has the costs). Each leg is searched once,
+/// from all places at which the way may enter the leg. A loop without a fixed gate is searched
+/// twice: the first search only finds the place at which the way passes the gate halfway around,
+/// and the second search begins and ends at this place. Coincident steps are one; a closed way does
+/// not repeat its first step. Throws Cancelled. O(corridors), see RidgeCorridor.
 std::vector<RidgeStep> ridge_way(const SurfaceMesh& mesh, RidgeField& field,
                                  const SurfaceCurve& curve, const RidgeGates& gates,
                                  double strength, ProgressPoller& poller);

@@ -172,15 +172,15 @@ bool CurveSmoother::set_pins(std::span<const SurfacePoint> pins, const Progress&
   return true;
 }
 
-/// Whether the given curves lose the same points with other pins: a pin may divide a rest. How
-/// exact strokes are depends on pins only where way-points make legs.
+/// Whether the cleaning of the given curves removes the same points with other pins: a pin may
+/// divide a rest. The slack of strokes depends on the pins only if way-points make legs.
 bool CurveSmoother::is_cleaned_alike(const CurveOptions& options, const Progress& progress) const {
   const std::vector<StrokeSlack> known =
       options.way_points.empty() ? cleaned_->slacks() : std::vector<StrokeSlack>();
   return is_same(cleaned_drawing(memory_->mesh(), given_, options, known, progress), *cleaned_);
 }
 
-/// Sets the given curves with other pins. Where that fails or is cancelled, all is as before.
+/// Sets the given curves with other pins. If this fails or is cancelled, the smoother is unchanged.
 bool CurveSmoother::set_anew(const CurveOptions& options, const Progress& progress) {
   const std::vector<SurfaceCurve> given = given_;
   const CurveOptions before = curve_options_;
@@ -231,7 +231,7 @@ SmoothingResult CurveSmoother::smooth(const SmoothingOptions& options,
                                       std::span<const double> potential, std::size_t components,
                                       const Progress& progress) {
   check(options);
-  if (!options.per_curve.empty()) bad_usage("per_curve does not go with a potential.");
+  if (!options.per_curve.empty()) bad_usage("per_curve cannot be used with a given potential.");
   const GivenPotential given{potential, components};
   check_potential(memory_->surface().vertex_count(), given);
   return smooth(options, &given, progress);

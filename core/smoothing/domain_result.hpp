@@ -1,4 +1,5 @@
-// DomainResult curves carry the values of their report that are known during smoothing only.
+// A domain result has the smoothed curves, and those values of their reports that are known during
+// smoothing only.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +22,7 @@ struct CurveResult {
   bool has_legs = false;              ///< the result may be far from the drawing there
   bool ended_early = false;           ///< a budget ended fairing
   double slack = 0;                   ///< mesh units; 0 without a corridor
-  MeasuredDeviation deviation;        ///< on the sheet
+  MeasuredDeviation deviation;        ///< measured on the domain's surface
   std::vector<std::string> warnings;  ///< sentences about this curve
   std::string left_taut;              ///< a sentence, if the curve stays taut with kinks
   std::size_t crossings_before = 0, crossings_after = 0;  ///< with itself and later curves
@@ -36,7 +37,8 @@ struct DomainResult {
   /// The smooth ground on which the curves were faired; null for the mesh itself.
   const SurfaceMesh* ground = nullptr;
   std::vector<std::string> warnings;  ///< sentences for the user
-  /// `open`: the time beyond opening the mesh; `measure`: on the sheet; `total` is not set.
+  /// `open`: the time beyond opening the mesh; `measure`: the time on the domain's surface; `total`
+  /// is not set.
   StageTimes time_ms;
   /// Whether straightening touched the boundary where the surface was cut off
   /// (EmbeddedDrawing::Ground).

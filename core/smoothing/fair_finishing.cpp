@@ -210,8 +210,8 @@ void FairFinishing::set(std::size_t number, SurfaceCurve curve) {
   now_[number] = std::move(curve);
 }
 
-/// Whether a curve bends more than the taut curve, if this is close to the drawing, or else than
-/// the drawing.
+/// Whether a curve bends more than the taut curve, if the taut curve is close to the drawing;
+/// otherwise whether it bends more than the drawing.
 bool FairFinishing::bends_more(Attempt& attempt, const SurfaceCurve& curve) {
   const EmbeddedDrawing& drawing = solver_->drawing();
   const FairGroup& group = attempt.group;

@@ -51,7 +51,7 @@ class FairFinishing {
     std::optional<SampleChain> chain;
     std::optional<Taut> taut;  ///< computed on first use
     std::size_t tries = 0;
-    std::optional<SurfaceCurve> bent;  ///< the first result that only bends too much
+    std::optional<SurfaceCurve> bent;  ///< the first result whose only fault is its bending
     /// For a curve with legs: per stretch, the factor in its tension after failed tries.
     std::vector<double> tighter;
     std::string left_taut;  ///< a warning

@@ -77,7 +77,7 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     std::string sentence = fmt::format(
         "The result misses {} of the points that it should pass, by up to {:.3g} mesh units "
         "through space, at {}: where a drawing meets itself, small loops and "
-        "ways back over the drawing are lost.",
+        "parts that run back along the drawing are lost.",
         missed.points, missed.farthest, position_text(at, report.edge_length_near));
     warn_decisively(report, {std::move(sentence), at});
   }

@@ -61,7 +61,7 @@ enum class Finish {
   kFair,  ///< curves that bend as little as possible within the corridor
 };
 
-/// The least tau that keeps a result near its drawing; for a smaller tau it may be anywhere.
+/// The least tau that keeps a result near its drawing; with a smaller tau a result may be anywhere.
 constexpr double kLeastHeldTau = 1.0 / 8;
 
 /// Options of one curve of a set. Values that are not given are those for all curves.

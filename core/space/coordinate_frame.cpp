@@ -40,11 +40,10 @@ LengthUnit LengthUnit::named(std::string_view code) {
   for (const KnownUnit& unit : kUnits) {
     if (unit.name == code) return {unit.code, unit.millimetres};
   }
-  throw Error(
-      ErrorCode::kBadUsage,
-      fmt::format("\"{}\" is no unit of length that is known; known are pm, nm, um, mm, cm, "
-                  "dm, m, km, in and ft.",
-                  code.substr(0, 40)));
+  throw Error(ErrorCode::kBadUsage,
+              fmt::format("\"{}\" is not a known unit of length; known are pm, nm, um, mm, cm, "
+                          "dm, m, km, in and ft.",
+                          code.substr(0, 40)));
 }
 
 CoordinateFrame frame_named(std::string_view text) {
@@ -56,7 +55,7 @@ CoordinateFrame frame_named(std::string_view text) {
     text = blank == text.npos ? std::string_view() : text.substr(0, blank);
   } else if (blank != text.npos) {
     throw Error(ErrorCode::kBadUsage,
-                fmt::format("\"{}\" is no space of coordinates; known are LPS and RAS.",
+                fmt::format("\"{}\" is not a space of coordinates; known are LPS and RAS.",
                             last.substr(0, 40)));
   }
   if (!text.empty()) frame.unit = LengthUnit::named(text);

@@ -1,4 +1,4 @@
-// The shape of a face is its smallest angle, or flat.
+// The shape of a face: its smallest angle, and whether the face is flat.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Places and counts as messages write them.
+// Message numbers are positions and counts in the form in which messages show them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace talweg {
 /// number that is not finite, the text has all digits of the coordinates.
 [[nodiscard]] std::string position_text(const Point& at, double edge);
 
-/// "1,234,567". For counts only: the numbers of vertices and faces stay plain, as files have them.
+/// "1,234,567". For counts only: ids of vertices and faces have no commas, as in files.
 [[nodiscard]] std::string count_text(std::size_t count);
 
 }  // namespace talweg

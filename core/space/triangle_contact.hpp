@@ -22,8 +22,9 @@ double piercing_depth(const Point& p, const Point& q, const PointTriangle& t);
 /// The largest piercing_depth() of a side of one triangle in the other.
 double crossing_depth(const PointTriangle& s, const PointTriangle& t);
 
-/// Like crossing_depth(), with the farther end of the side in place of the nearer end: how far the
-/// triangles extend beyond each other, not how little would free them.
+/// Like crossing_depth(), but with the farther end of the side in place of the nearer end. The
+/// result is the length by which the triangles extend beyond each other, rather than the smallest
+/// move that would free them.
 double crossing_reach(const PointTriangle& s, const PointTriangle& t);
 
 }  // namespace talweg

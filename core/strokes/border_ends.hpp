@@ -12,8 +12,8 @@ namespace talweg {
 
 /// The treatment of curve ends that lie near the border.
 enum class BorderEnds {
-  kSnap,   ///< they are extended straight to the border
-  kLeave,  ///< they stay as drawn
+  kSnap,   ///< the ends are extended straight to the border
+  kLeave,  ///< the ends stay as drawn
 };
 /// The value named "snap" or "leave". Throws Error(kBadUsage) for other names.
 BorderEnds border_ends(std::string_view name);
@@ -24,11 +24,11 @@ enum class ExtendedCurves {
   kAll,      ///< all open curves
 };
 
-/// Extends ends straight to the nearest point of the border, and adds a sentence on which ends, and
-/// how far. An end is near the border within two edge lengths of the mesh around it, or one and a
-/// half times the distance of a hand's last samples (at most a twelfth of the curve's length), but
-/// no more than half the curve's length. An end at which another curve passes stays. The new end is
-/// a way-point only in a drawing all points of which are taken exactly. Throws as
+/// Extends ends straight to the nearest point of the border, and adds a sentence that says which
+/// ends were extended, and how far. An end is near the border within two edge lengths of the mesh
+/// around it, or one and a half times the distance of a hand's last samples (at most a twelfth of
+/// the curve's length), but no more than half the curve's length. An end at which another curve
+/// passes stays. The new end is a way-point only under PointMeaning::kExact. Throws as
 /// StraightLines::join(). O(faces within that distance of each end), and the points of all curves
 /// for each extended end.
 SnappedDrawing with_ends_at_border(const SurfaceMesh& mesh, SnappedDrawing drawing,

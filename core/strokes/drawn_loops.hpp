@@ -8,8 +8,8 @@
 
 namespace talweg {
 
-/// The drawing after closed_loop() has closed the strokes that are meant as loops. A sentence tells
-/// of each loop closed without the user's request, and of each gap of gap_of_near_loop(). With
+/// The drawing after closed_loop() has closed the strokes that are meant as loops. Sentences tell
+/// of loops closed without the user's request, and of the gaps that gap_of_near_loop() finds. With
 /// CurveEnds::kAsDrawn, only strokes that were given as positions or painted, and have no
 /// way-points, are closed. Pins and way-points are never cut off. Throws as StraightLines::join().
 SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing,

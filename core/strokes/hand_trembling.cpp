@@ -19,10 +19,11 @@ namespace {
 constexpr double kFinest = 1.0 / 4000;    // the step, as part of the stroke's length
 constexpr double kSamplesInBall = 8;      // diameter of the smallest ball, in distances of samples
 constexpr double kLargestBall = 1.0 / 6;  // diameter, as part of the length
-constexpr double kStillOfStroke = 1.0 / 3;
-constexpr double kMostOfStroke = 0.6, kLargestInEdges = 24, kNoWayInEdges = 12, kFewestEdges = 12;
+constexpr double kPlateauOfStroke = 1.0 / 3;
+constexpr double kMostOfStroke = 0.6, kLargestInEdges = 24, kWithoutPlateauInEdges = 12,
+                 kFewestEdges = 12;
 constexpr std::size_t kBalls = 128, kPointsInBall = 48, kFewestInBall = 8, kFewestBalls = 5;
-constexpr double kStill = 0.8, kRise = 1.2, kSteep = 2.2, kKnee = 1.8, kSmoothWay = 2.9;  // slopes
+constexpr double kPlateau = 0.8, kRise = 1.2, kSteep = 2.2, kKnee = 1.8, kSmooth = 2.9;  // slopes
 constexpr std::size_t kFewestTurns = 6;
 constexpr std::size_t kParts = 8;  // the most parts of a stroke with amplitudes of their own
 constexpr double kLeastPart = 6;   // length of a part, in diameters of balls
@@ -113,8 +114,8 @@ double of_freedom(double samples) { return std::sqrt(samples / (samples - 4)); }
 /// The residuals of balls at places evenly spread over the stroke, for each scale.
 struct Residuals {
   std::vector<double> scales;
-  double largest_still = 0;     ///< the largest scale at which a standstill of r(s) counts
-  double largest_as_it_is = 0;  ///< the largest scale at which r(s) counts without a standstill
+  double largest_plateau = 0;          ///< the largest scale at which a plateau of r(s) counts
+  double largest_without_plateau = 0;  ///< the largest scale at which r(s) counts without a plateau
   std::vector<std::vector<double>> balls;  ///< per scale; NaN for a ball at an end of the stroke
 
   /// r(s) of the balls [first, last), one per scale, up to the first scale with too few residuals.
@@ -158,8 +159,8 @@ Residuals residuals_of(const EvenStroke& stroke, double apart, double edge) {
   const double smallest = std::max(kSamplesInBall * apart, 2 * kFewestInBall * stroke.step);
   // The length without detail smaller than the smallest balls.
   const double length = compass_length(stroke, smallest / 2);
-  result.largest_as_it_is = kNoWayInEdges * edge;
-  result.largest_still = std::max(kStillOfStroke * length, kNoWayInEdges * edge);
+  result.largest_without_plateau = kWithoutPlateauInEdges * edge;
+  result.largest_plateau = std::max(kPlateauOfStroke * length, kWithoutPlateauInEdges * edge);
   // A short stroke is finer than the mesh, so edges say nothing about its trembling.
   const bool is_fine = length < kFewestEdges * edge;
   const double largest =
@@ -176,7 +177,7 @@ Residuals residuals_of(const EvenStroke& stroke, double apart, double edge) {
 
 struct AtScale {
   double scale, residual;
-  bool is_still = false;  ///< whether r(s) stands still at the scale after a rise
+  bool is_plateau = false;  ///< whether r(s) has a plateau at the scale, after a rise
 };
 
 /// The slope d log r / d log s from scale k to the next. Where r is far enough above the residual
@@ -192,8 +193,8 @@ double slope_at(const Residuals& residuals, std::span<const double> r, std::size
   return std::log(to / from) / std::log(residuals.scales[k + 1] / residuals.scales[k]);
 }
 
-/// The scale at which r(s) stands still, by the rules of hand_trembling().
-std::optional<AtScale> standstill(const Residuals& residuals, std::span<const double> r) {
+/// The scale of the trembling, by the rules of hand_trembling().
+std::optional<AtScale> plateau_of(const Residuals& residuals, std::span<const double> r) {
   const std::vector<double>& scales = residuals.scales;
   std::optional<AtScale> noise, knee, last;
   double steepest = 0, steepest_of_hand = 0, of_device = 0;
@@ -202,8 +203,8 @@ std::optional<AtScale> standstill(const Residuals& residuals, std::span<const do
     const AtScale next{scales[k + 1], r[k + 1], false};
     const double slope = slope_at(residuals, r, k),
                  slope_of_hand = slope_at(residuals, r, k, of_device);
-    if (slope < kStill) {
-      const bool counts = next.scale <= residuals.largest_still;
+    if (slope < kPlateau) {
+      const bool counts = next.scale <= residuals.largest_plateau;
       if (steepest > kRise && counts) return AtScale{next.scale, next.residual, true};
       if (steepest <= kRise) {
         if (!noise) of_device = r[k];
@@ -215,8 +216,8 @@ std::optional<AtScale> standstill(const Residuals& residuals, std::span<const do
     }
     steepest = std::max(steepest, slope);
     steepest_of_hand = std::max(steepest_of_hand, slope_of_hand);
-    if (next.scale <= residuals.largest_as_it_is) {
-      last = slope < kSmoothWay ? std::optional(next) : std::nullopt;
+    if (next.scale <= residuals.largest_without_plateau) {
+      last = slope < kSmooth ? std::optional(next) : std::nullopt;
     }
   }
   if (knee) return knee;
@@ -232,10 +233,10 @@ void add_parts(const Residuals& residuals, double length, std::size_t first, std
   const double half = length * static_cast<double>(middle - first) / kBalls;
   if (last - first > kBalls / 4 && half > kLeastPart * whole.scale) {
     const auto part = [&](std::size_t from, std::size_t to) {
-      return standstill(residuals, residuals.medians(from, to));
+      return plateau_of(residuals, residuals.medians(from, to));
     };
     const std::optional<AtScale> left = part(first, middle), right = part(middle, last);
-    if (left && right && left->is_still && right->is_still) {
+    if (left && right && left->is_plateau && right->is_plateau) {
       const double ratio = left->residual / right->residual;
       if (std::max(ratio, 1 / ratio) > kChance) {
         add_parts(residuals, length, first, middle, *left, along);
@@ -274,7 +275,7 @@ std::optional<HandTrembling> hand_trembling(const SurfaceMesh& mesh, const Surfa
   const std::optional<double> apart = sample_distance(mesh, stroke, positions, step);
   if (!apart) return std::nullopt;
   const Residuals residuals = residuals_of(even, *apart, edge);
-  const std::optional<AtScale> found = standstill(residuals, residuals.medians(0, kBalls));
+  const std::optional<AtScale> found = plateau_of(residuals, residuals.medians(0, kBalls));
   if (!found) return std::nullopt;
   return HandTrembling{std::numbers::sqrt3 * found->residual, found->scale,
                        amplitudes_along(residuals, even.length(), *found)};

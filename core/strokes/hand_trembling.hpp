@@ -23,16 +23,18 @@ struct HandTrembling {
 /// The root mean square of the rest is the residual, corrected for the degrees of freedom that the
 /// cubic takes of the samples in the ball; r(s) is the median residual over the stroke. r grows
 /// like s⁴ for a smooth stroke, and like s³ for waves longer than the ball. Where all waves of the
-/// trembling fit into the ball, r stands still: the slope d log r / d log s is below 0.8 after it
-/// was above 1.2. The amplitude is then √3 r, which is exact for a zigzag.
+/// trembling fit into the ball, r has a plateau: the slope d log r / d log s is below 0.8.
 ///
-/// The noise of a sensor stands still from the smallest scale on. The noise is the answer only
-/// where r does not rise above it and stand still again, in balls of up to a third of the stroke or
-/// 12 mesh edges, and does not rise steeply either. If r stands still nowhere, the answer is the
-/// end of its steep rise, for which the square of the noise is subtracted from r² (the slope falls
-/// below 1.8 from above 2.2). Otherwise the answer is the noise; otherwise the largest ball of up
-/// to 12 mesh edges, if r grows there more slowly than for a smooth stroke (the slope is below
-/// 2.9). Otherwise there is no answer.
+/// The scale of the trembling is the first of the following that exists:
+/// - the first plateau after a rise (a slope above 1.2), in balls of up to a third of the stroke or
+///   12 mesh edges, whichever is more;
+/// - the end of a steep rise: the slope falls below 1.8 after it was above 2.2, with the square of
+///   the sensor's noise subtracted from r²;
+/// - the plateau of the sensor's noise, which begins at the smallest scale;
+/// - the largest ball of up to 12 mesh edges, if r has risen, but grows there more slowly than for
+///   a smooth stroke (the slope is below 2.9).
+/// The amplitude is √3 r at this scale, which is exact for a zigzag. Without such a scale there is
+/// no result.
 ///
 /// Scales grow by √2 from eight times the distance of samples. The largest scale is a sixth of the
 /// stroke, so that a dozen waves count as trembling and a few waves do not. Waves of a few mesh
@@ -40,12 +42,12 @@ struct HandTrembling {
 /// 24 edges (`edge`, mesh units) or 0.6 of the stroke, whichever is less.
 ///
 /// A hand that is fast in some parts and careful in others has an amplitude in each part. A part is
-/// halved where r stands still in both halves, six balls of that scale fit into each half, and one
+/// halved where r has a plateau in both halves, six balls of that scale fit into each half, and one
 /// half trembles more than twice as much as the other.
 ///
 /// Resampling a stroke changes the result only as far as it changes the stroke's shape.
 ///
-/// Scales at which a curve stands still come from scale space (Witkin 1983; Lindeberg 1998); local
+/// Plateaus over scales come from scale space (Witkin 1983; Lindeberg 1998); local
 /// polynomials of growing support from Savitzky & Golay 1964.
 ///
 /// O(points) and about 2,000 fits of at most 48 points, whatever the stroke.

@@ -19,7 +19,7 @@ struct CleanedStroke {
   std::vector<double> places;
   std::size_t rests = 0;  ///< places where the hand stood still
   std::size_t hooks = 0;  ///< ends that were cut off, 0 to 2
-  double farthest = 0;    ///< mesh units: of removed parts from the rest, through space
+  double farthest = 0;    ///< mesh units: of removed parts from the cleaned stroke, in space
 
   [[nodiscard]] bool is_cleaned() const { return !places.empty(); }
 };

@@ -25,7 +25,7 @@ struct StrokeSlack {
 std::vector<double> slack_at_points(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                     const StrokeSlack& slack);
 
-/// The slack of the curve whose points are put in this order, and the inverse. O(points).
+/// Converts a slack to the curve with its points in this order, and back. O(points).
 StrokeSlack in_order(const StrokeSlack& slack, const SurfaceMesh& mesh, const SurfaceCurve& curve,
                      const CurveOrder& order);
 StrokeSlack turned_back(const StrokeSlack& slack, const SurfaceMesh& mesh,
@@ -35,8 +35,9 @@ StrokeSlack turned_back(const StrokeSlack& slack, const SurfaceMesh& mesh,
 /// measured on the longest stroke after its rests are removed. The slack is at least a tenth of
 /// `edge` (the length of the mesh's edges near the curve, mesh units) or a 240th of the stroke's
 /// length, whichever is less, and at most a 24th of that length. Strokes along edges of the mesh,
-/// and strokes without a measurable trembling, have slack_of_segments(), at most for segments of
-/// eight edges. Costs hand_trembling(). Throws Error(kBadCurve) as turning_angle() does.
+/// and strokes without a measurable trembling, have slack_of_segments(), but no more than the slack
+/// of segments that are eight mesh edges long. Costs hand_trembling(). Throws Error(kBadCurve) as
+/// turning_angle() does.
 StrokeSlack stroke_slack(const SurfaceMesh& mesh, std::span<const SurfaceCurve> strokes,
                          double edge);
 

@@ -1,4 +1,4 @@
-// The turning points of a stroke are those of its points that say something.
+// The turning points of a stroke are the points at which the stroke turns.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@
 namespace talweg {
 
 /// The points at which a curve turns by more than 0.02 rad, ascending, without the ends of an open
-/// one. At the others a line crosses an edge. O(points · degree). Throws as turning_angle() does.
+/// curve. At its other points a curve crosses an edge in a straight line. O(points · degree).
+/// Throws as turning_angle() does.
 inline std::vector<std::size_t> turning_points(const Surface& surface, const SurfaceCurve& curve) {
   constexpr double kTurn = 0.02;
   const std::size_t n = curve.points.size();

@@ -14,9 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The system takes names of 260 characters and more only in this form.
+/// The path in a form that Windows accepts at any length. Absolute paths of 260 characters or more
+/// need the prefix \\?\.
 std::wstring long_name(const fs::path& path) {
-  constexpr DWORD kShort = 240;  // room for what a folder needs to hold a file
+  constexpr DWORD kShort = 240;  // leaves room for a short file name in a folder
   const DWORD length = GetFullPathNameW(path.c_str(), 0, nullptr, nullptr);
   if (length < kShort) return path.native();
   std::wstring full(length, L'\0');
@@ -53,7 +54,8 @@ FileStatus told(HANDLE handle) {
   if (type == FILE_TYPE_CHAR) status.kind = FileKind::kDevice;
   if (type == FILE_TYPE_PIPE) status.kind = FileKind::kPipe;
   if (type == FILE_TYPE_UNKNOWN) status.kind = FileKind::kOther;
-  // No volume has such a number and a file of number 0.
+  // Only files on disks have a volume and a number. For others, these small numbers equal those of
+  // no file on a disk.
   status.device = type;
   DWORD mode = 0;
   status.number = GetConsoleMode(handle, &mode) != 0 ? 1 : 0;
@@ -156,7 +158,8 @@ bool may_write(const fs::path& path) {
   return _waccess(long_name(path).c_str(), kWritable) == 0;
 }
 
-/// A file that somebody reads cannot be replaced, so its reader has two seconds to finish.
+/// Windows does not replace a file that another program reads, so readers get two seconds to
+/// finish.
 std::string take_place(const fs::path& fresh, const fs::path& target) {
   constexpr int kTries = 40;
   constexpr DWORD kPauseMs = 50;

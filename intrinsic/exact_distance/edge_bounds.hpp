@@ -80,11 +80,11 @@ class EdgeBounds {
     return window.value(std::clamp(window.px, from, to));
   }
 
-  /// The first (or `last`) of the `count` parts from `first` on in which the window may be shorter;
-  /// parts() for none.
+  /// The first part (the last part if `last` is set) in which the window may be shorter, among the
+  /// `count` parts from part `first` on; parts() if there is none.
   [[nodiscard]] std::size_t find(Asked& asked, std::size_t node, std::size_t first,
                                  std::size_t count, bool last) const {
-    constexpr std::size_t kVisits = 4;  // a square root and a cache miss
+    constexpr std::size_t kVisits = 4;  // the cost of a square root and a cache miss
     asked.visited += kVisits;
     const double from = std::max(asked.window->begin, place(first));
     const double to = std::min(asked.window->end, place(first + count));

@@ -27,7 +27,7 @@ struct EnteringWindow {
 struct FacePaths {
   std::array<SideFrame, 3> frames;
   std::array<NearestOnCurve, 3> corners;
-  double longest = 0;  ///< side
+  double longest = 0;  ///< length of the longest side
   std::span<const EnteringWindow> windows;
   std::span<const PolylinePiece> segments;  ///< in the face
 

@@ -201,7 +201,8 @@ void WindowFront::insert(const EdgeWindow& window) {
   }
 }
 
-/// A window without room would change only distances that the front has not reached.
+/// Whether another window may be stored. If there is no room, exact_within() becomes the distance
+/// of the front: the windows that are left out would change only larger distances.
 bool WindowFront::has_room() {
   if (!std::isinf(exact_within_)) return false;
   const std::size_t count = windows_.size();

@@ -57,8 +57,8 @@ class WindowFront {
   }
   [[nodiscard]] bool is_done() const { return queue_.empty(); }
 
-  /// The limit up to which distances are exact; larger ones are upper bounds. Infinite while there
-  /// is room for windows; without room, only paths along edges continue.
+  /// The limit up to which distances are exact; larger distances are upper bounds. Infinite while
+  /// there is room for windows; without room, only paths along edges continue.
   [[nodiscard]] double exact_within() const { return exact_within_; }
 
   /// The best known values, which are final where is_final() says so.

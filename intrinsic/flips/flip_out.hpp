@@ -62,8 +62,8 @@ struct FlipOutResult {
 /// the wedge's outer boundary is straight or bends away, and that boundary replaces the joint.
 /// Every accepted step shortens the path, so paths never grow, and they never cross. The flips stay
 /// pending in the triangulation until the result is traced (trace.hpp), which also undoes them.
-/// O(log n) for a cleared wedge, and its flips: n² for n points in one face.
-/// Memory for the edges is allocated once per object. Not thread safe.
+/// A cleared wedge costs O(log s) for s segments, and its flips; a path through n points of one
+/// face may need n² flips. Memory for the edges is allocated once per object. Not thread safe.
 class FlipOut {
  public:
   explicit FlipOut(SignpostTriangulation& triangulation)

@@ -85,8 +85,8 @@ class SignpostTriangulation {
   // Inserted vertices (point_insertion.hpp places them). No flip may be pending. Lengths and
   // directions computed so far are forgotten.
   /// Splits the edge of h (which must have a face) at distance `from_tail` from its tail; `to_left`
-  /// and `to_right` are the distances to the opposite corners. Returns the new vertex; h then ends
-  /// at it.
+  /// and `to_right` are the distances to the opposite corners. Returns the new vertex, which
+  /// becomes the head of h.
   struct EdgeSplit {
     double from_tail = 0, to_head = 0, to_left = 0, to_right = 0;
   };
@@ -118,7 +118,7 @@ class SignpostTriangulation {
     EdgeId edge;
     double length = 0;
     double direction[2] = {0, 0};
-    bool represented[2] = {false, false};  // whether it was halfedge(v) of its tail, of its head
+    bool represented[2] = {false, false};  // at tail and head: was the halfedge halfedge(v)?
   };
 
   void forget();

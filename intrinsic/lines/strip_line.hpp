@@ -27,7 +27,7 @@ struct StripLine {
   bool found = false;
   std::vector<VertexId> bends;
   std::vector<double> turns;  ///< at the bends, within the strip; radians, positive to the left
-  double to_first_bend = 0, from_last_bend = 0;  ///< lengths; of the whole line without bends
+  double to_first_bend = 0, from_last_bend = 0;  ///< lengths; the whole length if nothing bends
 };
 
 /// Finds the geodesic between two points that is isotopic to a strip with fixed ends, and updates

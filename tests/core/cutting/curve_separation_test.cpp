@@ -156,8 +156,9 @@ TEST(CurveSeparation, ACurveThatCutsSomethingOutOnItsWay) {
       parted(mesh, {through(mesh, {36, 37, 38, 29, 30, 31, 40, 49, 48, 47, 38, 39})});
   EXPECT_EQ(made.separates, std::vector<bool>{false});
   ASSERT_EQ(made.told.size(), 1U);
-  EXPECT_NE(made.told[0].find("does not separate the mesh along all of it: its end at (3, 4, 0)"),
-            std::string::npos)
+  EXPECT_NE(
+      made.told[0].find("does not separate the mesh along its whole length: its end at (3, 4, 0)"),
+      std::string::npos)
       << made.told[0];
   EXPECT_EQ(made.pieces, 2U);
 }

@@ -202,6 +202,9 @@ TEST(MeshParts, RefusesASideThatIsNone) {
       mesh.surface(), test::ids({0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5}), true);
   EXPECT_EQ(refused_parts(cut_along(mesh, {&rim, 1}), mesh, kept_side(KeptSide::kRight)),
             "keep right leaves nothing: curve 0 has no face on the right.");
+  const std::vector<SurfaceCurve> both = {rim, rim};
+  EXPECT_EQ(refused_parts(cut_along(mesh, both), mesh, kept_side(KeptSide::kRight)),
+            "keep right leaves nothing: none of the curves 0 to 1 has a face on the right.");
   // The piece between two lines is on the left of one and on the right of the other.
   const std::vector<SurfaceCurve> lines = {
       test::vertex_curve(mesh.surface(), test::ids({5, 6, 7, 8, 9}), false),

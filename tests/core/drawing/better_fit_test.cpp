@@ -77,11 +77,11 @@ TEST_F(BetterFit, NamesTheAxisThatIsUp) {
     y_up.emplace_back(p.x(), p.z(), -p.y());
   }
   EXPECT_EQ(of(z_up),
-            "would fit more than 1000 times better as (x, z, -y), as where z is up in it and y in "
-            "the mesh");
+            "would fit more than 1000 times better as (x, z, -y), as if z were up in the drawing "
+            "and y in the mesh");
   EXPECT_EQ(of(y_up),
-            "would fit more than 1000 times better as (x, -z, y), as where y is up in it and z in "
-            "the mesh");
+            "would fit more than 1000 times better as (x, -z, y), as if y were up in the drawing "
+            "and z in the mesh");
 }
 
 TEST_F(BetterFit, IsNotSearchedForADrawingOnItsMesh) {

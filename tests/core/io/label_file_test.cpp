@@ -105,7 +105,7 @@ TEST(LabelFile, OfFreeSurferRefusesMalformedFiles) {
   expect_refused("a.annot", annot_vertices() + big_endian({1, -2, 8, -5}), "-5");
   expect_refused("a.annot",
                  annot_vertices() + big_endian({1, -2, 8}) + counted("") + big_endian({0}),
-                 "color table has not");
+                 "color table does not have");
   expect_refused("a.annot",
                  annot_vertices() + big_endian({1, -2, 8}) + counted("") + big_endian({1, -4}),
                  "number -4");

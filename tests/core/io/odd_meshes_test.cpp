@@ -114,7 +114,7 @@ TEST(OddMeshes, StlWithBytesAfterItsTriangles) {
     const MeshLists lists = read_mesh("a.stl", binary_stl(head) + "trailing");
     EXPECT_EQ(lists.triangles, (Faces{{0, 1, 2}, {0, 2, 3}}));
     ASSERT_EQ(lists.notes.size(), 1U);
-    EXPECT_EQ(lists.notes[0], "8 bytes after the 2 triangles of the STL file were passed over.");
+    EXPECT_EQ(lists.notes[0], "8 bytes after the 2 triangles of the STL file were ignored.");
     EXPECT_TRUE(read_mesh("a.stl", binary_stl(head)).notes.empty());
   }
 }

@@ -79,10 +79,10 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
             "Curve 0 runs over the border of the mesh at its start: 6 points up to 3 mesh units "
-            "beyond it are left out, and it begins exactly there.");
+            "beyond it are left out, and the curve begins exactly on the border.");
   EXPECT_EQ(drawing.told[1],
             "Curve 0 runs over the border of the mesh at its end: 4 points up to 2 mesh units "
-            "beyond it are left out, and it ends exactly there.");
+            "beyond it are left out, and the curve ends exactly on the border.");
 }
 
 TEST_F(BorderEnds, AStrokeEndsWhereItLeavesTheMesh) {

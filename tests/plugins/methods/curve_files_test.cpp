@@ -85,7 +85,7 @@ TEST_F(CurveFileUnits, BordersNeedTheMeshWhoseVerticesTheyName) {
   EXPECT_EQ(found[0].barycentrics[1], (std::array<double, 3>{0, 1, 0}));
 
   EXPECT_EQ(read(border("3 1 2 1 1 1"), square.view()), TALWEG_BAD_CURVE);
-  EXPECT_NE(std::string(message).find("vertices 3, 1 and 2; is the curve of this mesh?"),
+  EXPECT_NE(std::string(message).find("vertices 3, 1 and 2; does the curve belong to this mesh?"),
             std::string::npos)
       << message;
   EXPECT_EQ(read(border("4 4 4 1 1 1"), square.view()), TALWEG_BAD_CURVE);
