@@ -407,7 +407,8 @@ void check_on(const Surface& surface, std::span<const SurfaceCurve> curves) {
       if (is_on(surface, curves[c].points[i])) continue;
       throw Error(ErrorCode::kBadCurve, "Point " + std::to_string(i) + " of curve " +
                                             std::to_string(c) +
-                                            " is not on this mesh: the curve is of another one.");
+                                            " is not on this mesh: the curve belongs to another "
+                                            "mesh.");
     }
   }
 }

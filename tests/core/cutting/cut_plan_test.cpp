@@ -104,7 +104,7 @@ TEST(CutPlanRefuses, ElementsOfAnotherMesh) {
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
       EXPECT_STREQ(error.what(),
-                   "Point 1 of curve 0 is not on this mesh: the curve is of another one.");
+                   "Point 1 of curve 0 is not on this mesh: the curve belongs to another mesh.");
     }
   }
   EXPECT_THROW(plan_cut(mesh, {}, {.resolution = -1}), Error);

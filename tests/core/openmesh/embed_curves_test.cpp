@@ -362,7 +362,7 @@ class EmbedCurvesRefuses : public testing::Test {
 TEST_F(EmbedCurvesRefuses, ACurveOfAnotherMesh) {
   const SurfaceMesh other = SurfaceMesh::open(grid(20, 20));
   curve.points[1] = between(other.surface(), 300, 301, 0.5);
-  expect_refused("Point 1 of curve 0 is not on this mesh: the curve is of another one.");
+  expect_refused("Point 1 of curve 0 is not on this mesh: the curve belongs to another mesh.");
   curve.points[1] = between(opened.surface(), 20, 21, 0.5);
   expect_refused("Points 0 and 1 of curve 0 lie in no common face.");
 }
