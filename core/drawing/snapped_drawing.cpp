@@ -42,7 +42,7 @@ void tell_beyond_border(const SnappedCurve& curve, std::size_t number,
     if (beyond.points == 0) continue;
     told.push_back(fmt::format(
         "Curve {} runs over the border of the mesh at its {}: {} {} up to {:.3g} mesh units beyond "
-        "it {} left out, and the curve {} exactly on the border.",
+        "the border {} left out, and the curve {} exactly at the border.",
         number, side == 0 ? "start" : "end", beyond.points, beyond.points == 1 ? "point" : "points",
         beyond.farthest, beyond.points == 1 ? "is" : "are", side == 0 ? "begins" : "ends"));
   }

@@ -62,8 +62,10 @@ void check_neighbours(const Surface& surface, const std::vector<VertexId>& ids, 
     const VertexId b = ids[(k + 1) % n];
     if (a == b || surface.find_halfedge(a, b).valid() || surface.find_halfedge(b, a).valid())
       continue;
-    bad_curve("Vertices " + std::to_string(a.index()) + " and " + std::to_string(b.index()) +
-              " at " + at_position(k) + " and after it share no edge of the mesh");
+    bad_curve(
+        fmt::format("Vertices {} and {}, at positions {} and {} of the curve, share no edge "
+                    "of the mesh",
+                    a.index(), b.index(), k, (k + 1) % n));
   }
 }
 
@@ -284,7 +286,8 @@ std::vector<std::size_t> merge_equal(const std::vector<SurfacePoint>& points, Sn
 
 std::size_t kept_point(const std::vector<std::size_t>& kept, std::size_t point, const char* what) {
   if (point < kept.size()) return kept[point];
-  bad_curve(fmt::format("There is no point {} to {}; the curve has {}", point, what, kept.size()));
+  bad_curve(fmt::format("There is no point {} that could {}; the curve has {}, counted from 0",
+                        point, what, kept.size()));
 }
 
 void sort_and_merge(std::vector<std::size_t>& indices) {
@@ -315,7 +318,7 @@ std::vector<InputWayPoint> kept_way_points(const std::vector<std::size_t>& kept,
 /// Transfers the marks of the given points, pins too, to the points that merge_equal() kept.
 void keep_marks(const CurveInput& input, const std::vector<std::size_t>& kept,
                 SnappedCurve& curve) {
-  for (const std::size_t pin : input.pins) curve.pins.push_back(kept_point(kept, pin, "pin"));
+  for (const std::size_t pin : input.pins) curve.pins.push_back(kept_point(kept, pin, "be pinned"));
   sort_and_merge(curve.pins);
   curve.way_points = kept_way_points(kept, input.way_points);
   for (const std::size_t k : input.painted) {

@@ -70,8 +70,8 @@ std::vector<std::string> warnings_of(const LabelNetwork& network, const LabelNam
     const auto found = names.find(region.label);
     const std::string name = found == names.end() ? "" : found->second;
     warnings.push_back(
-        fmt::format("Region {}{} is too small or too thin for this tolerance: its borders are "
-                    "held nearer to the drawing.",
+        fmt::format("Region {}{} is too small or too thin for this tolerance: some of its borders "
+                    "are kept closer to the given ones.",
                     region.label, name.empty() ? "" : " (" + name + ")"));
   }
   return warnings;

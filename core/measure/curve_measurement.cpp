@@ -90,7 +90,8 @@ void compare(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
   } else {
     m.deviation = between(curves, others);
     m.warnings.push_back(std::to_string(curves.size()) + " curves are compared with " +
-                         std::to_string(others.size()) + ": all together, not one by one.");
+                         std::to_string(others.size()) +
+                         ": all together, because the numbers of curves differ.");
   }
   if (!std::isfinite(std::max(m.deviation.to_max, m.deviation.from_max))) {
     m.warnings.emplace_back(

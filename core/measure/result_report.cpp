@@ -162,16 +162,15 @@ void report_deviation(SmoothingReport& report, const MeasuredDeviation& measured
   report.deviation_at_least = measured.at_least;
   const double most = std::max(measured.to_drawn_max, measured.from_drawn_max);
   if (measured.spared) {
-    report.warnings.push_back(
-        fmt::format("The exact deviation was not measured, because that would take far longer than "
-                    "the smoothing: the deviation is at most {:.6g} and at least {:.6g}.",
-                    most, measured.at_least));
+    report.warnings.push_back(fmt::format(
+        "The exact deviation was not measured, because measuring would take far longer than "
+        "smoothing: the deviation is {}.",
+        bounds_text(measured.at_least, most)));
   } else if (!measured.exact) {
     report.termination = std::max(report.termination, Outcome::kLimit);
     report.warnings.push_back(fmt::format(
-        "The budget was used up before the deviation was measured: it is at most {:.6g} and at "
-        "least {:.6g}.",
-        most, measured.at_least));
+        "The budget was used up before the deviation was measured exactly: the deviation is {}.",
+        bounds_text(measured.at_least, most)));
   }
   if (measured.measure == DeviationMeasure::kAlongSurface && most == HUGE_VAL) {
     warn_decisively(

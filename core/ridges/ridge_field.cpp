@@ -32,7 +32,7 @@ RidgeKind ridge_kind(std::string_view name) {
   if (name == "convex") return RidgeKind::kConvex;
   if (name == "concave") return RidgeKind::kConcave;
   throw Error(ErrorCode::kBadUsage,
-              fmt::format("Ridges are both, convex or concave, not \"{}\".", name));
+              fmt::format("The kind of ridges must be both, convex or concave, not \"{}\".", name));
 }
 
 RidgeField::RidgeField(const SurfaceMesh& mesh, RidgeKind kind, double scale, double roughness)

@@ -341,7 +341,7 @@ std::string RidgeMoves::sentence(std::size_t curve) const {
       100 * moved, curve, farthest, band, strength);
   if (already >= seen) text += fmt::format(" {:.0f} % lay on ridges already.", 100 * already);
   if (clicks > 0) {
-    text += fmt::format(" {} of its clicks moved along, by up to {:.3g}.", clicks, farthest_click);
+    text += fmt::format(" {} of its clicks moved, too, by up to {:.3g}.", clicks, farthest_click);
   }
   return text;
 }

@@ -104,9 +104,9 @@ void MeshDomain::warn_of_upper_bounds(DomainResult& result) const {
   for (const CurveResult& curve : result.curves) slack = std::max(slack, curve.slack);
   if (exact >= slack) return;
   result.warnings.push_back(
-      fmt::format("Distances farther than {:.4g} from the drawing are upper bounds, because exact "
-                  "ones would take too long; the result may differ from the one with exact "
-                  "distances.",
+      fmt::format("Distances of more than {:.4g} to the drawing are upper bounds, because exact "
+                  "distances would take too long; with exact distances the result might be "
+                  "another one.",
                   exact));
 }
 

@@ -11,6 +11,13 @@ namespace {
 
 constexpr double kAllDigits = 17;  // these tell any two doubles apart
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
+constexpr double kExponentFrom = 1e15;   // shorter lengths are written without an exponent
+constexpr double kLeastFraction = 1e-6;  // least fraction of the upper bound that a lower bound has
+
+std::string with_commas(std::string digits) {
+  for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, 1, ',');
+  return digits;
+}
 
 std::string coordinate_text(double x, double decimals) {
   if (x == 0) return "0";  // without the sign of -0
@@ -30,10 +37,18 @@ std::string position_text(const Point& at, double edge) {
                      coordinate_text(at.y(), decimals), coordinate_text(at.z(), decimals));
 }
 
-std::string count_text(std::size_t count) {
-  std::string digits = std::to_string(count);
-  for (std::size_t k = digits.size(); k > 3; k -= 3) digits.insert(k - 3, 1, ',');
-  return digits;
+std::string count_text(std::size_t count) { return with_commas(std::to_string(count)); }
+
+std::string length_text(double length, int digits) {
+  const bool is_long = length >= std::pow(10, digits) - 0.5 && length < kExponentFrom;
+  return is_long ? with_commas(fmt::format("{:.0f}", length))
+                 : fmt::format("{:.{}g}", length, digits);
+}
+
+std::string bounds_text(double least, double most) {
+  std::string text = fmt::format("at most {:.6g}", most);
+  if (least >= kLeastFraction * most) text += fmt::format(" and at least {:.6g}", least);
+  return text;
 }
 
 }  // namespace talweg

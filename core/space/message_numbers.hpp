@@ -17,4 +17,12 @@ namespace talweg {
 /// "1,234,567". For counts only: ids of vertices and faces have no commas, as in files.
 [[nodiscard]] std::string count_text(std::size_t count);
 
+/// "4,821,040" or "12.34": a length >= 0 with `digits` significant digits (1 to 15), or with all
+/// digits before the decimal point if these are more; from 1e15 on with an exponent.
+[[nodiscard]] std::string length_text(double length, int digits);
+
+/// "at most 3 and at least 2": the bounds of a length, with six digits. A lower bound below a
+/// millionth of `most`, such as a rounding error, is left out: "at most 3".
+[[nodiscard]] std::string bounds_text(double least, double most);
+
 }  // namespace talweg

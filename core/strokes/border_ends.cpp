@@ -139,7 +139,7 @@ void extend_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<Surfac
   extended.points.insert(extended.points.end(), way.begin(), way.end());
   drawing.told.push_back(
       fmt::format("The {} of curve {} lies {:.3g} mesh units from the border of the mesh; the "
-                  "curve was led straight to the border.",
+                  "curve was extended straight to the border.",
                   end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), extended)));
   drawing.all_exact.push_back({way.back(), 0});
   if (end.last) {
@@ -160,8 +160,9 @@ bool is_extended(const SnappedDrawing& drawing, std::size_t curve, ExtendedCurve
 BorderEnds border_ends(std::string_view name) {
   if (name == "snap") return BorderEnds::kSnap;
   if (name == "leave") return BorderEnds::kLeave;
-  throw Error(ErrorCode::kBadUsage,
-              fmt::format("Ends near the border are to snap or leave, not \"{}\".", name));
+  throw Error(
+      ErrorCode::kBadUsage,
+      fmt::format("The option for ends near the border must be snap or leave, not \"{}\".", name));
 }
 
 SnappedDrawing with_ends_at_border(const SurfaceMesh& mesh, SnappedDrawing drawing,

@@ -18,18 +18,18 @@ namespace {
 std::string note_on_loop(const ClosedLoop& loop) {
   if (loop.cut > loop.gap) {
     return fmt::format(
-        "A curve runs over its own beginning; {:.3g} mesh units at its ends were left out, and it "
-        "is taken as a loop.",
+        "A curve runs over its own beginning; {:.3g} mesh units at its ends were left out, and the "
+        "curve is taken as a loop.",
         loop.cut);
   }
-  return fmt::format("The ends of a curve lie {:.3g} mesh units apart; it is taken as a loop.",
-                     loop.gap);
+  return fmt::format(
+      "The ends of a curve lie {:.3g} mesh units apart; the curve is taken as a loop.", loop.gap);
 }
 
 std::string note_on_gap(double gap) {
   return fmt::format(
-      "The ends of a curve lie {:.3g} mesh units apart; it is taken as open. If a loop is meant, "
-      "close it.",
+      "The ends of a curve lie {:.3g} mesh units apart; the curve is taken as open. If a loop is "
+      "meant, close the curve.",
       gap);
 }
 

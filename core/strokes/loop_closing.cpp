@@ -111,8 +111,9 @@ CurveEnds curve_ends(std::string_view name) {
   if (name == "auto") return CurveEnds::kAsDrawn;
   if (name == "closed") return CurveEnds::kClosed;
   if (name == "open") return CurveEnds::kOpen;
-  throw Error(ErrorCode::kBadUsage,
-              fmt::format("The ends of curves are auto, closed or open, not \"{}\".", name));
+  throw Error(
+      ErrorCode::kBadUsage,
+      fmt::format("The option for ends of curves must be auto, closed or open, not \"{}\".", name));
 }
 
 std::optional<double> gap_of_near_loop(const SurfaceMesh& mesh, const SurfaceCurve& stroke) {

@@ -129,11 +129,11 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
       ->required();
   std::string names;
   for (const Method& method : known_methods()) names += (names.empty() ? "" : ", ") + method.name;
-  command->add_option(
-      "--methods", o->methods,
-      "Which, separated by commas: " + names + ", or any plugin by its id (default: all of these)");
+  command->add_option("--methods", o->methods,
+                      "The methods to run, separated by commas: " + names +
+                          " (default: all of these), or any plugin by its id");
   command->add_flag("--sweep", o->sweep,
-                    "Each method with many values of its parameter, from close to smooth");
+                    "Run each method with many values of its parameter, from close to smooth");
   command->add_option("-o,--output", o->picture, "A picture of all curves, .png");
   command->add_option("--plot", o->plot,
                       "With --sweep: curvature against deviation, a line per method, .svg");

@@ -154,8 +154,8 @@ std::string for_fish(const std::vector<CommandWords>& commands) {
 
 Command add_completion(CLI::App& app, const GlobalOptions&) {
   auto shell = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("completion", "Print what a shell completes: bash, zsh or fish");
+  CLI::App* command = app.add_subcommand(
+      "completion", "Print the completion script for a shell: bash, zsh or fish");
   command->group("");  // packages call the command rather than users
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()

@@ -204,8 +204,9 @@ std::string Cutting::summary() const {
                   drawing_.curves.size(), cut_.cut_faces, cut_.new_vertices, cut_.crossings);
   if (cut_.merged > 0) {
     text += fmt::format(
-        "{} points lay at a vertex or an edge but for rounding; moved by {:.3g} at most\n",
-        cut_.merged, cut_.largest_move);
+        "{} {} within --merge of a vertex or an edge {} moved onto it, by {:.3g} at most\n",
+        cut_.merged, cut_.merged == 1 ? "point" : "points", cut_.merged == 1 ? "was" : "were",
+        cut_.largest_move);
   }
   for (const std::string& change : read_.changes) text += change + "\n";
   for (const std::string& sentence : left_out_) text += sentence + "\n";
@@ -215,9 +216,10 @@ std::string Cutting::summary() const {
   if (part_options(o_).opens()) {
     text += fmt::format("{} {}\n", made_.pieces, made_.pieces == 1 ? "piece" : "pieces");
     if (made_.between > 0) {
-      text +=
-          fmt::format("{} of them left out: on the left of one curve and on the right of another\n",
-                      made_.between);
+      text += fmt::format(
+          "{} of them left out, because they lie on the left of one curve and on the "
+          "right of another\n",
+          made_.between);
     }
     for (const std::string& sentence : made_.told) text += sentence + "\n";
   }
@@ -236,7 +238,7 @@ std::string Cutting::summary() const {
       text += fmt::format(", moved by up to {:.3g} to clear the piece", part.lids.sunk_by);
     }
     if (part.lids.left_open > 0) {
-      text += fmt::format("; {} rims stay open: slits, or they end at the old boundary",
+      text += fmt::format("; {} rims stay open: they are slits, or end at the old boundary",
                           part.lids.left_open);
     }
     text += "\n";
@@ -289,7 +291,8 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option("-o,--output", o->output, "The cut mesh: .ply, .obj, .off, .stl, .vtk or .vtp")
       ->required();
-  command->add_flag("--open", o->open, "Open a seam: either side of it has vertices of its own");
+  command->add_flag("--open", o->open,
+                    "Open a seam along the curves: either side has vertices of its own");
   command->add_flag("--split", o->split,
                     "A file for each piece, OUT-0.ply, OUT-1.ply, ...; otherwise the pieces are "
                     "components of one mesh");
@@ -298,14 +301,15 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                       "along the curve from outside");
   command->add_flag(
       "--cap{auto}", o->cap,
-      "Close the openings that the cut leaves: auto (planar where the rim is, else of least area; "
-      "the default), planar or least-area, after an equals sign; never through the piece");
+      "Close the openings that the cut leaves by lids: auto (planar if the rim is planar, else of "
+      "least area; the default), planar or least-area, after an equals sign; a lid never goes "
+      "through the piece");
   command->add_flag("--tag", o->tag,
-                    "Write the curves' edges, too: element edge of a .ply, l of an .obj, "
-                    "lines of a .vtk or .vtp");
+                    "Also write the curves' edges: element edge of a .ply, l of an .obj, lines of "
+                    "a .vtk or .vtp");
   command->add_flag("--polygons", o->polygons,
-                    "Write polygons of the mesh as polygons: whole where no curve cuts them, "
-                    "planar ones also in parts; .ply, .obj or .off");
+                    "Write polygons of the mesh as polygons (.ply, .obj or .off): those that no "
+                    "curve cuts, and the parts of planar ones");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
   command->add_option("--report", o->report, "What was cut, and what the parts are, as JSON");
@@ -320,7 +324,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option("--border", o->border,
                    "snap: where a seam is opened, ends of open curves within two edges of the "
-                   "mesh's border are led straight to it; leave: they stay")
+                   "mesh's border are extended straight to the border; leave: they stay")
       ->check(CLI::IsMember({"snap", "leave"}))
       ->capture_default_str();
   add_repair_option(*command, o->repair);

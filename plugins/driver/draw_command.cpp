@@ -107,8 +107,8 @@ bool is_along_edges(const Options& options) {
 void check_border(const Options& options) {
   if (border_ends(options.border) == BorderEnds::kLeave || !is_along_edges(options)) return;
   throw Error(ErrorCode::kBadUsage,
-              "--border snap leads ends to points between vertices, which neither --edges nor a "
-              ".txt file can reach; leave it out, or write another format.");
+              "--border snap extends ends to points between vertices, which neither --edges nor a "
+              ".txt file can reach; leave --border out, or use --straight and another format.");
 }
 
 Drawing path_through(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
@@ -242,8 +242,8 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
           ->delimiter(',');
   command
       ->add_option("--clicks", options->clicks,
-                   "Instead: points in space, each put on the nearest point of the mesh, of a list "
-                   "or curve of 3D Slicer: .fcsv or .mrk.json")
+                   "Instead: a list or curve of 3D Slicer (.fcsv or .mrk.json), whose points are "
+                   "moved to the nearest points of the mesh")
       ->excludes(through);
   command->add_flag("--closed", options->closed, "Go back to the first vertex");
   CLI::Option* straight = command->add_flag(
@@ -257,14 +257,14 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
       ->excludes(straight);
   command
       ->add_option("--points", options->points,
-                   "exact: the vertices are way-points, which a result passes; rough: the whole "
-                   "path is a stroke, as of a trembling hand")
+                   "exact: the vertices are way-points, which a smoothed curve passes through; "
+                   "rough: the whole path is a stroke, as of a trembling hand")
       ->check(CLI::IsMember({"exact", "rough"}))
       ->capture_default_str();
   command
       ->add_option("--border", options->border,
-                   "snap: an end that stops within two edges of the mesh's border is led straight "
-                   "to it, to another way-point; leave: it stays")
+                   "snap: an end that stops within two edges of the mesh's border is extended "
+                   "straight to a further way-point on the border; leave: the end stays")
       ->check(CLI::IsMember({"snap", "leave"}))
       ->capture_default_str();
   command

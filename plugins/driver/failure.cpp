@@ -33,7 +33,7 @@ Failure current_failure() {
     throw;
   } catch (const Error& error) {
     const char* hint = error.code() == ErrorCode::kBadMesh
-                           ? " (talweg info tells more, and what --repair can do)"
+                           ? " (talweg info lists all defects, and what --repair can do)"
                            : "";
     return {exit_code_of(error.code()), error.what() + std::string(hint)};
   } catch (const WaitCancelled& waiting) {

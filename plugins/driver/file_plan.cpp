@@ -189,10 +189,11 @@ void FilePlan::check_numbered() const {
 void FilePlan::check_target(const File& output, TriedNames& tried) const {
   if (output.name_check != nullptr) {
     if (output.path == "-") {
-      throw Error(ErrorCode::kBadUsage,
-                  fmt::format("{}{} - is the standard output, whose format an ending has to tell, "
-                              "such as {} -.ply.",
-                              in_list(output.list, output.place), output.what, output.what));
+      throw Error(
+          ErrorCode::kBadUsage,
+          fmt::format("{}{} - is the standard output, whose format must be given by an ending, "
+                      "such as {} -.ply.",
+                      in_list(output.list, output.place), output.what, output.what));
     }
     output.name_check(output.path);
   }

@@ -51,13 +51,14 @@ std::string polygon_line(const MeshInspection& m) {
 std::string size_lines(const MeshInspection& m) {
   const auto extent = [&](std::size_t k) { return m.box_max[k] - m.box_min[k]; };
   std::string text =
-      line("size", fmt::format("{:.6g} x {:.6g} x {:.6g}", extent(0), extent(1), extent(2)));
+      line("size", fmt::format("{} x {} x {}", length_text(extent(0), 6), length_text(extent(1), 6),
+                               length_text(extent(2), 6)));
   if (m.offset > m.size) {
-    text += line("distance", fmt::format("{:.6g} from the origin", m.offset));
+    text += line("distance", length_text(m.offset, 6) + " from the origin");
   }
-  text +=
-      line("edge length", fmt::format("{:.4g} (shortest {:.4g}, longest {:.4g})",
-                                      m.edge_length_mean, m.edge_length_min, m.edge_length_max));
+  text += line("edge length",
+               fmt::format("{} (shortest {}, longest {})", length_text(m.edge_length_mean, 4),
+                           length_text(m.edge_length_min, 4), length_text(m.edge_length_max, 4)));
   text += line("smallest angle",
                fmt::format("{:.3g} degrees", m.smallest_angle * 180 / std::numbers::pi));
   text += line("coordinates", m.single_precision ? "single precision" : "double precision");

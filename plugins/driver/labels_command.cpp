@@ -134,13 +134,13 @@ std::string bytes_of(const LabelsOptions& o, const LabelOutput& output) {
 std::string summary_of(const LabelNetwork& network, double ms) {
   const SmoothingReport& t = network.total;
   std::string text =
-      fmt::format("{} regions, {} borders, {} junctions; {} borders held tighter, {} as drawn\n",
+      fmt::format("{} regions, {} borders, {} junctions; {} borders kept closer, {} as given\n",
                   network.regions.size(), network.borders.size(), network.junctions,
                   network.tightened, network.as_drawn);
   if (network.moved > 0) {
     text += fmt::format(
-        "{} junctions and ends moved; their unit tangents add up to {:.3g} in the mean, as drawn "
-        "to {:.3g}\n",
+        "{} junctions and ends moved; the sum of the unit tangents there is {:.3g} in the mean, "
+        "was {:.3g}\n",
         network.moved, network.imbalance_after, network.imbalance_before);
   }
   text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
@@ -284,12 +284,12 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       ->add_option(
           "labels", o->labels,
           "One whole number per face or per vertex (text, .csv, .npy); or a PLY, VTK or VTP file "
-          "with such a property, the mesh itself too; or FreeSurfer's .annot, .label or "
+          "with such a property, which may be the mesh itself; or FreeSurfer's .annot, .label or "
           ".dpv; or GIFTI's .label.gii")
       ->required();
   command->add_option("--labels-property", o->property,
-                      "Which property of LABELS (default: the first of label, labels, segment, "
-                      "region, class, scalar_label)");
+                      "The property of LABELS to read (default: the first of label, labels, "
+                      "segment, region, class, scalar_label)");
   command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
       ->capture_default_str();
   command->add_option(
@@ -301,37 +301,47 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option(
           "--junctions", o->junctions,
-          "fixed: where the labels have them; free: as far as the slack or 0.75 D to where "
-          "the borders balance")
+          "fixed: junctions stay where the labels have them; free: each moves to the place where "
+          "its borders balance, at most by the slack or by 0.75 of --max-deviation")
       ->check(CLI::IsMember({"fixed", "free"}))
       ->capture_default_str();
   command
-      ->add_option("--ends", o->ends,
-                   "On the boundary: stay, or slide along it to where the border meets it at a "
-                   "right angle, as far as junctions may go")
+      ->add_option(
+          "--ends", o->ends,
+          "stay: ends on the mesh's boundary stay; slide: each moves along the boundary to "
+          "the place where its border meets the boundary at a right angle, at most as far "
+          "as a junction may move")
       ->check(CLI::IsMember({"stay", "slide"}))
       ->capture_default_str();
   command->add_option("--budget", o->budget,
-                      "Seconds, reading included; when they are used up, the best so far is the "
-                      "result");
-  command->add_option("--budget-work", o->budget_work, "The same in counted steps")
+                      "Seconds that the run may take, reading included; then the best result so "
+                      "far is written");
+  command
+      ->add_option("--budget-work", o->budget_work,
+                   "A budget in counted steps of about 0.1 microseconds instead of seconds: the "
+                   "same result on every machine")
       ->type_name("INT");
   command->add_option("-o,--output", o->outputs,
                       "The borders as curves; the ending chooses the format; may be given several "
                       "times");
   CLI::Option* labels_out = command->add_option(
       "--labels-out", o->labels_out,
-      "New labels of the mesh's faces (that of the larger share of each) or vertices; the ending "
-      "chooses the format: .txt .csv .npy .dpv .annot .label .gii .ply .vtk .vtp");
+      "New labels of the mesh's faces (for each face the label that covers most of it) or of its "
+      "vertices; the ending chooses the format: .txt .csv .npy .dpv .annot .label .gii .ply .vtk "
+      ".vtp");
   command
       ->add_option("--labels-per", o->labels_per,
-                   "What the new labels are of: vertex or face (default: as LABELS came in)")
+                   "Whether the new labels are labels of vertices or of faces (default: as in "
+                   "LABELS)")
       ->check(CLI::IsMember({"vertex", "face"}))
       ->needs(labels_out);
   CLI::Option* cut = command->add_option(
       "--cut", o->cut,
       "The mesh with the borders as edges: .ply (with the faces' labels), .obj, .off");
-  command->add_option("--cut-labels", o->cut_labels, "The labels of its faces, exact")->needs(cut);
+  command
+      ->add_option("--cut-labels", o->cut_labels,
+                   "The exact labels of the faces of the mesh that --cut writes")
+      ->needs(cut);
   command->add_option("--report", o->report, "What was done and measured, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);

@@ -32,7 +32,7 @@ int fail(int code, const std::string& message) {
 int printed(int code) {
   std::cout.flush();
   if (std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  return fail(kBadInput, "What was to be printed could not be written to the standard output.");
+  return fail(kBadInput, "The output could not be written to the standard output.");
 }
 
 /// All options, with their dashes, of a command and of the commands above it.
@@ -62,19 +62,18 @@ int run(const std::vector<std::string>& words) {
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
       "result is written), 4 cancelled, 5 internal error.\n"
-      "An output named - is the standard output; -.vtp and the like tell its format, too.\n"
+      "An output named - is the standard output; -.vtp also gives the format.\n"
       "Example:\n"
       "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
       "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json\n"
       "  talweg measure vessel.ply smooth.vtp drawn.obj");
   GlobalOptions global;
-  app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
+  app.add_flag("-q,--quiet", global.quiet, "Print errors only");
   app.add_flag("-v,--verbose", global.verbose, "Print the warnings and times of each curve");
   app.add_option("--threads", global.threads, "Threads to use at most; never changes a result")
       ->check(CLI::Range(1U, 1024U))
       ->capture_default_str();
-  app.add_option("--seed", global.seed,
-                 "Seed of everything random; nothing in draw, smooth, measure and info is")
+  app.add_option("--seed", global.seed, "Seed of random numbers; Talweg's own commands use none")
       ->capture_default_str();
 
   std::vector<std::pair<const CLI::App*, Command>> commands;

@@ -123,21 +123,24 @@ int run_offset(const OffsetCommandOptions& o, const GlobalOptions& global) {
 void add_offset_options(CLI::App& command, const std::shared_ptr<OffsetCommandOptions>& o) {
   command
       .add_option("--distance", o->offset.distances,
-                  "Along the surface, mesh units; or several, separated by commas")
+                  "The distance along the surface, mesh units; or several, separated by commas")
       ->delimiter(',')
       ->required();
   command
       .add_option("--side", o->side,
-                  "left or right of the curve, seen along it from outside, without caps; or both")
+                  "left or right: only this side, as seen along the curve from outside, without "
+                  "caps; both: both sides")
       ->check(CLI::IsMember({"both", "left", "right"}))
       ->capture_default_str();
   command
-      .add_option("--caps", o->caps, "round: around the ends of an open curve; none: cut off there")
+      .add_option("--caps", o->caps,
+                  "round: the offset runs around the ends of an open curve; none: the offset ends "
+                  "there")
       ->check(CLI::IsMember({"round", "none"}))
       ->capture_default_str();
   command.add_option("--tolerance", o->offset.tolerance,
-                     "How far the distance may be off between two points, mesh units (default: a "
-                     "thousandth of it, and at most a fiftieth of the mean edge)");
+                     "The largest error of the distance between two points, mesh units (default: a "
+                     "thousandth of the distance, and at most a fiftieth of the mean edge)");
   add_choice(command, plugins::ends_choice(), o->ends);
   command.add_flag_callback(
       "--closed", [o] { o->ends = "closed"; }, "The same as --ends closed");
@@ -151,7 +154,7 @@ Command add_offset(CLI::App& app, const GlobalOptions& global) {
       "offset",
       "Curves at an exact distance along the surface from others: on both sides, or on one");
   command->add_option("mesh", o->mesh, mesh_help())->required();
-  command->add_option("--curve", o->curves, "Curves to go by; may be given several times")
+  command->add_option("--curve", o->curves, "Curves to offset; may be given several times")
       ->required();
   add_offset_options(*command, o);
   command

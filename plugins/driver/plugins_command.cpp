@@ -27,8 +27,8 @@ int list_plugins(const GlobalOptions& global) {
 Command add_plugins(CLI::App& app, const GlobalOptions& global) {
   CLI::App* command =
       app.add_subcommand("plugins",
-                         "List the plugins: id and label, with --verbose also version "
-                         "and file; on stderr what was refused, and why");
+                         "List the plugins: id and label, with --verbose also version and file; "
+                         "refused libraries go to stderr, with the reason");
   static_cast<void>(command);
   return [&global] { return list_plugins(global); };
 }

@@ -17,14 +17,15 @@ std::string mesh_help() { return "Mesh: " + readable_meshes(); }
 void add_repair_option(CLI::App& app, std::string& list) {
   app.add_flag("--repair{all}", list,
                "Make the mesh a surface first: weld, drop, orient, split, or all (the default), "
-               "separated by commas after an equals sign; weld=TOLERANCE welds vertices that near; "
-               "results have the file's numbers");
+               "separated by commas after an equals sign; weld=TOLERANCE welds vertices within "
+               "this distance; results have the file's numbers");
 }
 
 void add_unit_option(CLI::App& app, std::string& unit) {
   app.add_option("--mesh-units", unit,
-                 "The unit of the mesh's coordinates, for .mrk.json files, which name theirs: pm, "
-                 "nm, um, mm, cm, dm, m, km, in or ft (default: what the mesh says, or mm)");
+                 "The unit of the mesh's coordinates, to which curves of .mrk.json files are "
+                 "converted: pm, nm, um, mm, cm, dm, m, km, in or ft (default: the unit in the "
+                 "mesh's file, or mm)");
 }
 
 void check_unit(const std::string& unit) {
@@ -84,7 +85,9 @@ ReadMesh read_and_repair(const std::string& path, const std::string& list,
   attributes = of_repaired(attributes, *mesh.map, differing);
   if (differing > 0) {
     mesh.changes.push_back(fmt::format(
-        "{} vertices were welded onto others with other attributes, which stay.", differing));
+        "{} vertices were welded onto vertices with other attributes; the attributes of the latter "
+        "were kept.",
+        differing));
   }
   return mesh;
 }

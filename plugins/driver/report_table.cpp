@@ -25,7 +25,7 @@ std::string head_of(const SmoothingReport& r) {
   if (std::isinf(far.at_most) && !std::isinf(far.at_least)) {
     distance = "at least " + distance;
   } else if (far.at_most > far.at_least) {
-    distance += fmt::format(" to {:.6g}", far.at_most);
+    distance = bounds_text(far.at_least, far.at_most);
   }
   return out + fmt::format("farthest apart: {} mesh units, {}, at {}\n", distance, what,
                            position_text(far.at, r.edge_length_near));

@@ -99,8 +99,8 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
                    "vertices");
     app.add_flag(
         "--tag", files.tag,
-        "Write the curves' edges into the mesh, too: element edge of a .ply, l of an .obj, "
-        "lines of a .vtk or .vtp");
+        "Also write the curves' edges into the mesh: element edge of a .ply, l of an .obj, lines "
+        "of a .vtk or .vtp");
   }
   for (std::uint32_t k = 0; k < plugin.output_count; ++k) {
     const talweg_output& output = *plugin.outputs[k];

@@ -103,7 +103,7 @@ std::string filled(const std::string& pattern, const Line& line, const SmoothOpt
   } catch (const fmt::format_error&) {
     std::string known;
     for (const auto& [name, value] : named) known += (known.empty() ? "{" : ", {") + name + "}";
-    line.fail(fmt::format("the name \"{}\" can only have {} in it.", pattern, known));
+    line.fail(fmt::format("the name \"{}\" may contain only {} in braces.", pattern, known));
   }
 }
 

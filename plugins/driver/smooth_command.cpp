@@ -109,8 +109,8 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   add_smooth_options(*command, o->one);
   command->add_option("--batch", o->many.list,
                       "Many runs instead of one: a table (CSV or TSV) with the columns mesh, curve "
-                      "and any option above; {mesh}, {curve}, {folder} and {COLUMN} stand in "
-                      "the names of outputs");
+                      "and any option above; names of outputs may contain {mesh}, {curve}, "
+                      "{folder} and {COLUMN}");
   command
       ->add_option("--jobs", o->many.jobs,
                    "Runs (or independent curves) at a time; never changes a result")
@@ -119,8 +119,9 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--summary", o->many.summary,
                       "All reports as one table (CSV), one line per curve, failures too");
   command->add_flag("--resume", o->many.resume,
-                    "Keep the outputs of runs that --summary, or what a killed program left of it, "
-                    "says were made from the same files, options and version; make the others");
+                    "Keep outputs of an earlier run of the list, also of one that was killed, if "
+                    "--summary shows that they were made from the same files, options and version; "
+                    "make only the others");
   return [o, &global] { return run(*o, global); };
 }
 

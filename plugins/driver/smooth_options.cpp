@@ -27,20 +27,20 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
   CLI::Option* curve =
       app.add_option("--curve", o.curves,
                      "Drawn curves: .obj, .ply, .vtp, .vtk, .mrk.json, .border, .fcsv, "
-                     ".txt (vertex numbers) or .json; may be "
-                     "given several times");
+                     ".txt (vertex numbers) or .json; may be given several times");
   app.add_option("--labels", o.labels,
-                 "Instead of curves: the borders between these labels, one whole number per face")
+                 "Instead of curves: the borders between the labels of this file, one whole number "
+                 "per face or per vertex")
       ->excludes(curve);
   app.add_flag("--independent", o.independent,
-               "Smooth each curve by itself; by default all are one set, in which none crosses "
-               "another");
+               "Smooth each curve by itself; by default all curves are one set, in which none "
+               "crosses another");
   add(app, "pin", o.pins)->delimiter(',');
   add(app, "corner", o.corners)->delimiter(',');
   app.add_option("--points", o.points,
-                 "What the drawing's points are. given: what the files say; exact: way-points, "
-                 "between which the result is free; rough: strokes; exact=12,845: these vertices "
-                 "are the way-points")
+                 "The kind of the drawing's points. given: as the files mark them; exact: "
+                 "way-points, between which the result is free; rough: strokes; exact=12,845: "
+                 "these vertices are the way-points")
       ->capture_default_str();
   add(app, "tolerance", o.tolerance)->capture_default_str();
   add(app, "click_distance", o.click_distance);

@@ -48,11 +48,11 @@ EvenPoints even_points(const std::string& text, const CoordinateFrame& frame) {
 
 void add_point_options(CLI::App& app, WrittenPoints& points) {
   app.add_option("--resample", points.resample,
-                 "Write so many points at equal steps (50), or points so far apart (2.5 mesh units "
-                 "or 2mm), instead of the curve's own");
+                 "Write evenly spaced points instead of the curve's own: their number (50), or "
+                 "their spacing (2.5 mesh units, or 2mm)");
   app.add_flag("--normals", points.normals,
-               "Write the surface's normal at each point, too: .vtp, .vtk, .ply, .json, and as "
-               "orientation .mrk.json");
+               "Also write the surface's normal at each point (.vtp, .vtk, .ply, .json, and as "
+               "orientation in .mrk.json)");
 }
 
 void check_points(const WrittenPoints& points) {

@@ -8,7 +8,9 @@ namespace {
 const talweg_curve_files_3& files_of(const Plugins& plugins) {
   const auto* files = static_cast<const talweg_curve_files_3*>(
       plugins.find("talweg.draw").get_extension(TALWEG_CURVE_FILES_3));
-  if (files == nullptr) throw Error("This talweg.draw cannot read and write files.");
+  if (files == nullptr) {
+    throw Error("The plugin talweg.draw that was found is too old to read and write curve files.");
+  }
   return *files;
 }
 

@@ -29,7 +29,9 @@ const char* name_of(Ends ends) { return kEnds[static_cast<std::size_t>(ends)]; }
 
 Ends ends_named(const std::string& name) {
   const auto* const found = std::find(std::begin(kEnds), std::end(kEnds), name);
-  if (found == std::end(kEnds)) throw Error("Ends are auto, closed or open, not " + name + ".");
+  if (found == std::end(kEnds)) {
+    throw Error("Ends must be auto, closed or open, not " + name + ".");
+  }
   return static_cast<Ends>(found - std::begin(kEnds));
 }
 
@@ -38,7 +40,7 @@ const char* name_of(RidgeKind kind) { return kRidges[static_cast<std::size_t>(ki
 RidgeKind ridges_named(const std::string& name) {
   const auto* const found = std::find(std::begin(kRidges), std::end(kRidges), name);
   if (found == std::end(kRidges)) {
-    throw Error("Ridges are both, convex or concave, not " + name + ".");
+    throw Error("The kind of ridges must be both, convex or concave, not " + name + ".");
   }
   return static_cast<RidgeKind>(found - std::begin(kRidges));
 }

@@ -194,7 +194,7 @@ class OpenMeshWorker {
       if (openmesh::detail::find_property(made.mesh, property.element, property.name,
                                           *property.access) == nullptr) {
         said.push_back("The mesh that was made does not have the property \"" + property.name +
-                       "\"; it is " + std::to_string(property.fill) + " there.");
+                       "\"; all its values are " + std::to_string(property.fill) + ".");
       }
       made.attributes.push_back(property);
     }

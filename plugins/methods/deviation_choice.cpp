@@ -15,16 +15,16 @@ constexpr const char* kLabelsWithAutomatic[] = {"Automatic", "Along the surface"
 
 talweg_parameter deviation_choice() {
   return plugin::choice("deviation", "Deviation in the report", "surface", kDeviations,
-                        kDeviationLabels, "Which distance between result and drawing is measured.",
+                        kDeviationLabels, "The distance between result and drawing to measure.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED);
 }
 
 talweg_parameter deviation_choice_by_tau() {
   return plugin::choice("deviation", "Deviation in the report", "automatic", kWithAutomatic,
                         kLabelsWithAutomatic,
-                        "Which distance between result and drawing is measured; automatic: along "
-                        "the surface, but below tau = 1/8 through space where they lie more than "
-                        "four mesh edges apart.",
+                        "The distance between result and drawing to measure; automatic: along the "
+                        "surface, but below tau = 1/8 through space if result and drawing lie more "
+                        "than four mesh edges apart.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED);
 }
 

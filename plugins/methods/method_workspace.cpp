@@ -26,9 +26,9 @@ std::vector<talweg_output> MethodWorkspace::outputs() {
           output(TALWEG_OUTPUT_POINT_FIELD, "deviation", "Deviation", "mesh units",
                  "Distance along the surface to the drawn curve."),
           output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
-                 "By how much the curve turns at the point; 0 at the ends."),
+                 "The turning angle at each point; 0 at the ends."),
           output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                 "What was done and measured, of each curve and in total.")};
+                 "Steps and measures, for each curve and in total.")};
 }
 
 SmoothingReport MethodWorkspace::report_on(const Method& method, std::size_t curve,

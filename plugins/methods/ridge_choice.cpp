@@ -15,9 +15,9 @@ std::vector<talweg_parameter> ridge_choice(std::uint32_t stage) {
   using plugin::choice, plugin::number;
   return {
       number("ridges", "Snap to ridges", "", 0, {0, 1, 0, 1},
-             "How strongly ridges, creases and valleys beside the drawing attract it; clicks move "
-             "along, pins stay. 0: not at all; at 1 the surface must turn by 10 degrees, at 0.5 by "
-             "20.",
+             "How strongly ridges, creases and valleys beside the drawing attract the drawing. "
+             "Clicks move, too; pins stay. 0: not at all; at 1 a ridge counts if the surface turns "
+             "by 10 degrees there, at 0.5 if by 20.",
              stage),
       choice("ridge_kind", "Kind of ridges", "both", kKinds, kKindLabels,
              "convex: ridges, which stand out; concave: valleys; both.", stage),

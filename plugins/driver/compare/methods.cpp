@@ -80,10 +80,9 @@ std::vector<Method> methods_of(const std::string& list) {
     } else {
       std::string all;
       for (const Method& m : known_methods()) all += (all.empty() ? "" : ", ") + m.name;
-      throw Error(
-          ErrorCode::kBadUsage,
-          fmt::format("There is no method \"{}\": there are {}, and every plugin by its id.", name,
-                      all));
+      throw Error(ErrorCode::kBadUsage,
+                  fmt::format("There is no method \"{}\"; known are {}, and plugins by their ids.",
+                              name, all));
     }
   }
   return chosen;

@@ -21,7 +21,7 @@ namespace talweg::plugins {
 namespace {
 
 constexpr const char* kBorders[] = {"snap", "leave"};
-constexpr const char* kBorderLabels[] = {"Led to the border", "As they are"};
+constexpr const char* kBorderLabels[] = {"Extended to the border", "As they are"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
 constexpr const char* kCapLabels[] = {"None", "Planar where the rim is, else of least area",
                                       "Plane", "Of least area"};
@@ -64,7 +64,7 @@ class Cut : public MakesMeshes<Workspace> {
          ends_choice(),
          choice("border", "Ends near the border", "snap", kBorders, kBorderLabels,
                 "snap: where a seam is opened, ends of open curves within two edges of the mesh's "
-                "border are led straight to it; leave: they stay.",
+                "border are extended straight to the border; leave: they stay.",
                 TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          number("merge", "Merge", "fraction of an edge", CutOptions{}.merge,
                 {1e-11, 1e-2, 1e-9, 1e-2},

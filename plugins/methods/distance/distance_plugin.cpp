@@ -39,18 +39,18 @@ class Distance : public SmootherWorkspace {
   static talweg_plugin about() {
     return about_curves(
         "talweg.distance", "Distance to curves",
-        "The distance along the surface to the nearest of some curves, and the potential that "
-        "talweg.smooth makes of it, at every vertex of the mesh.");
+        "The distance along the surface to the nearest curve, and the potential that talweg.smooth "
+        "makes of this distance, at every vertex of the mesh.");
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::choice, plugin::number;
     return with_repair(
         {choice("potential", "Potential", "corridor", kPotentials, kPotentialLabels,
-                "Which distance is computed and which potential over it, as in talweg.smooth.",
+                "The distance and the potential to compute, as in talweg.smooth.",
                 TALWEG_STAGE_CURVES),
          number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "Steepness of the potential."),
          number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-                "Within which the corridor is flat. By default that of talweg.smooth.",
+                "The distance within which the corridor is flat. By default as in talweg.smooth.",
                 TALWEG_STAGE_RUN, TALWEG_OPTIONAL),
          number("heat_time", "Heat time", "squared mean edge lengths", 10, {1e-3, 1e6, 1, 100},
                 "Smoothing of the paper's distance.", TALWEG_STAGE_CURVES,
@@ -64,7 +64,7 @@ class Distance : public SmootherWorkspace {
     return {output(TALWEG_OUTPUT_VERTEX_FIELD, "distance", "Distance", "mesh units",
                    "Infinite where no curve can be reached."),
             output(TALWEG_OUTPUT_VERTEX_FIELD, "potential", "Potential", "mesh units",
-                   "By how much the surface is lifted; 0 where no curve can be reached."),
+                   "The height by which the surface is lifted; 0 where no curve can be reached."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "The largest distance and potential, and the slack of each curve.")};
   }

@@ -42,15 +42,15 @@ class Draw : public Workspace {
   static std::vector<talweg_parameter> parameters() {
     std::vector<talweg_parameter> all = {
         plugin::choice("way", "Way", "auto", kWays, kWayLabels,
-                       "Between the points. straight: over the faces, where legs may cross; edges: "
-                       "along edges of the mesh, never through itself; auto: straight between "
-                       "way-points, along edges in a stroke.",
+                       "How the points are joined. straight: over the faces, where legs may cross; "
+                       "edges: along edges of the mesh, where the path never crosses itself; auto: "
+                       "straight between way-points, along edges in a stroke.",
                        TALWEG_STAGE_RUN),
         plugin::boolean("straight", "Straight", false, "The same as way = straight.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
         plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
-                       "What the given points are in the drawn curve. exact: way-points, "
-                       "unless the given curve says what they are; rough: a stroke.",
+                       "The kind of the given points. exact: way-points, except points that the "
+                       "given curve marks otherwise; rough: a stroke.",
                        TALWEG_STAGE_RUN),
         plugin::boolean(
             "preview", "Preview", false,
@@ -68,10 +68,10 @@ class Draw : public Workspace {
     return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
                    "One for each given curve, in their order."),
             output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
-                   "1 at the points that were given, 0 at those that join them."),
+                   "1 at the given points, 0 at the points that join them."),
             output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
-                   "At way-points their tolerance, -1 where nothing is said, -2 at painted points; "
-                   "always given with exact points, never with rough ones."),
+                   "The tolerance of way-points, -2 at painted points, -1 at all others. A drawing "
+                   "with exact points has this field, a drawing with rough points has not."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "Points and length of each curve and in total.")};
   }
@@ -176,7 +176,8 @@ class Draw : public Workspace {
     }
     for (const std::size_t pin : input.pins) {
       if (pin >= ids->size()) {
-        throw Error(ErrorCode::kBadCurve, "There is no point " + std::to_string(pin) + " to pin.");
+        throw Error(ErrorCode::kBadCurve,
+                    "There is no point " + std::to_string(pin) + " that could be pinned.");
       }
     }
     if (ids->size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");

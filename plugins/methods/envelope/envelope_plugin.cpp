@@ -30,15 +30,15 @@ class Envelope : public MethodWorkspace {
     return with_repair(
         {plugin::number("envelope", "Envelope", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "How far the curve's points may go from the drawing, along the surface. "
-                        "By default one of its mean segments.",
+                        "By default the mean segment of the drawing.",
                         TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
          plugin::integer("iterations", "Most iterations", 2000, {1, 1e6, 1, 10000},
                          "Rounds in which every point moves once."),
          plugin::number("weight", "Weight", "", 1, {0, 1, 0.1, 1},
-                        "How much of the way to its best place a point goes in a round.",
+                        "The part of the way to its best place that a point moves in a round.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_OPEN_MINIMUM),
          plugin::number("tolerance", "Tolerance", "", 1e-6, {0, 1, 1e-8, 1e-3},
-                        "Stop when a round shortens the curves by a smaller part.",
+                        "Stop when a round shortens the curves by a smaller part of their length.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          deviation_choice()});
   }

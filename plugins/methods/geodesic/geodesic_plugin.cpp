@@ -40,8 +40,7 @@ class Geodesic : public SmootherWorkspace {
         "talweg.geodesic", "Geodesic",
         "Straightens curves until they are locally shortest: geodesic paths between their ends, "
         "closed geodesics. Points need not be neighbours; they are joined straight over the "
-        "surface "
-        "first. Pinned points stay.");
+        "surface first. Pinned points stay.");
   }
   static std::vector<talweg_parameter> parameters() {
     return with_repair(
@@ -49,8 +48,8 @@ class Geodesic : public SmootherWorkspace {
                          "Keep all given points, not only the pinned ones."),
          plugin::number("length_floor", "Least length of a loop", "mesh units", 0,
                         {0, HUGE_VAL, 0, 10},
-                        "A loop that gets shorter has collapsed. By default 3 mean edges of the "
-                        "drawn loop.",
+                        "A shorter loop counts as collapsed. By default 3 mean edges of the drawn "
+                        "loop.",
                         TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
@@ -58,7 +57,7 @@ class Geodesic : public SmootherWorkspace {
     return {output(TALWEG_OUTPUT_CURVES, "curves", "Geodesics", "",
                    "One for each given curve, in their order."),
             output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
-                   "By how much the curve turns at the point; 0 but at pins and saddles."),
+                   "The turning angle at each point; 0 except at pins and saddles."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "Lengths before and after, of each curve and in total.")};
   }

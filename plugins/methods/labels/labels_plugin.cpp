@@ -63,28 +63,28 @@ class Labels : public MakesMeshes<MeshWorkspace> {
                "default no bound.",
                kRun, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
         choice("junctions", "Junctions", "fixed", kJunctions, kJunctionLabels,
-               "free: as far as the slack or 0.75 of the largest deviation to where the borders "
-               "balance."),
+               "free: each junction moves to the place where its borders balance, at most by the "
+               "slack or by 0.75 of the largest deviation."),
         choice("ends", "Ends on the boundary", "stay", kEnds, kEndLabels,
-               "slide: along it to where the border meets it at a right angle, as far as "
-               "junctions may go.")};
+               "slide: each end moves along the boundary to the place where its border meets the "
+               "boundary at a right angle, at most as far as a junction may move.")};
     for (const talweg_parameter& parameter : budget_parameters()) own.push_back(parameter);
     return with_repair(own);
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
     return {output(TALWEG_OUTPUT_CURVES, "borders", "Borders", "",
-                   "The smoothed borders; borders.N.left and .right of the report are their "
-                   "labels."),
+                   "The smoothed borders. The entries borders.N.left and .right of the report have "
+                   "the labels on both sides."),
             output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
-                   "By how much the border turns at the point; 0 at the ends."),
+                   "The turning angle at each point; 0 at the ends."),
             output(TALWEG_OUTPUT_TRIANGLE_FIELD, "labels", "New labels", "",
-                   "For each triangle the label of the larger part of its area."),
+                   "The label that covers the largest part of each triangle."),
             output(TALWEG_OUTPUT_MESH, "mesh", "Cut mesh", "",
                    "The mesh with the borders as edges; attribute label: the exact labels of its "
                    "triangles (talweg_meshes.h)."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                   "What was done and measured, of each border and region and in total.")};
+                   "Steps and measures, for each border and region and in total.")};
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {

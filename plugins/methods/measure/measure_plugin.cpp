@@ -26,8 +26,8 @@ class Measure : public Workspace {
     return with_repair(
         {plugin::integer(
              "others", "Curves to compare with", 0, {0, 4294967294.0, 0, 16},
-             "The number of curves at the end of the list that the curves before are compared "
-             "with: one by one in their order if both are as many, else all together."),
+             "This many curves at the end of the list are compared with the curves before them: "
+             "one by one in their order if the numbers are equal, else all together."),
          plugin::number("edge", "Edge length", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "Length of the windows in which turning is measured. By default the mean "
                         "edge near each curve; to compare curves give all the same.",
@@ -35,7 +35,7 @@ class Measure : public Workspace {
   }
   static std::vector<talweg_output> outputs() {
     return {plugin::output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                           "What was measured, of each curve and in total.")};
+                           "Measures of each curve and in total.")};
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {

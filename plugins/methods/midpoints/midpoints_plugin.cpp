@@ -31,10 +31,12 @@ class Midpoints : public MethodWorkspace {
   static std::vector<talweg_parameter> parameters() {
     return with_repair({plugin::number("spacing", "Spacing of the control points", "mesh units", 0,
                                        {0, HUGE_VAL, 0, 10},
-                                       "Along the drawing. By default eight of its mean segments.",
+                                       "Measured along the drawing. By default eight mean segments "
+                                       "of the drawing.",
                                        TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
                         plugin::integer("degree", "Degree", 3, {1, 8, 1, 5},
-                                        "Of the B-spline that the scheme makes in the plane."),
+                                        "The degree of the B-spline that the scheme makes in the "
+                                        "plane."),
                         plugin::integer("levels", "Levels", 4, {1, 8, 1, 6},
                                         "How often the number of points is doubled."),
                         deviation_choice()});

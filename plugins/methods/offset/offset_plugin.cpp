@@ -45,22 +45,24 @@ class Offset : public Workspace {
                 "Along the surface, to the nearest of the curves.", TALWEG_STAGE_RUN,
                 TALWEG_OPEN_MINIMUM),
          plugin::integer("count", "Number of distances", 1, {1, 10000, 1, 10},
-                         "Also at twice the distance, three times, and so on."),
+                         "Offsets are made at the distance, at twice the distance, and so on."),
          side_choice("side", "Side",
-                     "Seen along the curve from outside; on one side there are no caps."),
+                     "The side as seen along the curve from outside; offsets on one side have no "
+                     "caps."),
          choice("caps", "Caps", "round", kCaps, kCapLabels,
-                "round: around the ends of an open curve; none: cut off there."),
+                "round: the offset runs around the ends of an open curve; none: the offset ends "
+                "there."),
          ends_choice(),
          number("tolerance", "Tolerance", "mesh units", 0, {0, HUGE_VAL, 0, 1},
-                "How far the distance may be off between two points. By default a thousandth of "
-                "it, and at most a fiftieth of the mean edge.",
+                "The largest error of the distance between two points. By default a thousandth of "
+                "the distance, and at most a fiftieth of the mean edge.",
                 TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM | TALWEG_ADVANCED)});
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
     return {output(TALWEG_OUTPUT_CURVES, "curves", "Offset curves", "",
-                   "One for each component, in the order of the distances, the curves and their "
-                   "sides."),
+                   "A curve for each component, in the order of the distances, the curves and "
+                   "their sides."),
             output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
                    "Side, length and error of each curve.")};
   }

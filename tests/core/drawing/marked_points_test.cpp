@@ -128,7 +128,7 @@ TEST_F(MarkedPointsTest, MarksOfMissingPointsAreRefused) {
   };
   CurveInput curve = row({0, 1, 2});
   curve.way_points = {{3, 0}};
-  EXPECT_NE(sentence(curve).find("no point 3 to be a way-point"), std::string::npos);
+  EXPECT_NE(sentence(curve).find("no point 3 that could be a way-point"), std::string::npos);
   curve.way_points = {{1, -0.5}};
   EXPECT_NE(sentence(curve).find("must be 0 or more, not -0.5"), std::string::npos);
   curve.way_points = {{1, std::nan("")}};

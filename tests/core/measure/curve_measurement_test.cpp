@@ -79,7 +79,8 @@ TEST_F(MeasuredSheet, MoreOrFewerAreComparedTogether) {
   const CurveMeasurement m = measure_curves(mesh_, curves, {&other, 1});
   EXPECT_TRUE(m.deviations.empty());
   ASSERT_EQ(m.warnings.size(), 1U);
-  EXPECT_EQ(m.warnings[0], "2 curves are compared with 1: all together, not one by one.");
+  EXPECT_EQ(m.warnings[0],
+            "2 curves are compared with 1: all together, because the numbers of curves differ.");
   const nlohmann::json json = report(m);
   EXPECT_NEAR(json["deviation_to_other_max"], 1, 0.01);
   EXPECT_FALSE(json["curves"][0].contains("deviation_to_other_max"));

@@ -40,5 +40,22 @@ TEST(CountText, GroupsThousands) {
   EXPECT_EQ(count_text(1234567), "1,234,567");
 }
 
+TEST(LengthText, KeepsAllWholeUnitsWithoutAnExponent) {
+  EXPECT_EQ(length_text(4821040.25, 6), "4,821,040");
+  EXPECT_EQ(length_text(999999.7, 6), "1,000,000");
+  EXPECT_EQ(length_text(123.45678, 6), "123.457");
+  EXPECT_EQ(length_text(12345.6, 4), "12,346");
+  EXPECT_EQ(length_text(0.000123456, 4), "0.0001235");
+  EXPECT_EQ(length_text(0, 6), "0");
+  EXPECT_EQ(length_text(2.5e60, 6), "2.5e+60");
+  EXPECT_EQ(length_text(std::numeric_limits<double>::infinity(), 6), "inf");
+}
+
+TEST(BoundsText, LeavesLowerBoundsOfRoundingSizeOut) {
+  EXPECT_EQ(bounds_text(2, 3), "at most 3 and at least 2");
+  EXPECT_EQ(bounds_text(1.2e-9, 3.5), "at most 3.5");
+  EXPECT_EQ(bounds_text(0, 3.5), "at most 3.5");
+}
+
 }  // namespace
 }  // namespace talweg

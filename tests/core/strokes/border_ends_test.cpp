@@ -79,10 +79,10 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
             "Curve 0 runs over the border of the mesh at its start: 6 points up to 3 mesh units "
-            "beyond it are left out, and the curve begins exactly on the border.");
+            "beyond the border are left out, and the curve begins exactly at the border.");
   EXPECT_EQ(drawing.told[1],
             "Curve 0 runs over the border of the mesh at its end: 4 points up to 2 mesh units "
-            "beyond it are left out, and the curve ends exactly on the border.");
+            "beyond the border are left out, and the curve ends exactly at the border.");
 }
 
 TEST_F(BorderEnds, AStrokeEndsWhereItLeavesTheMesh) {
@@ -152,10 +152,10 @@ TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   ASSERT_EQ(drawing.told.size(), 2U);
   EXPECT_EQ(drawing.told[0],
             "The start of curve 0 lies 1.5 mesh units from the border of the mesh; the curve was "
-            "led straight to the border.");
+            "extended straight to the border.");
   EXPECT_EQ(drawing.told[1],
-            "The end of curve 0 lies 1.8 mesh units from the border of the mesh; the curve was led "
-            "straight to the border.");
+            "The end of curve 0 lies 1.8 mesh units from the border of the mesh; the curve was "
+            "extended straight to the border.");
 }
 
 TEST_F(BorderEnds, EndsWithinTwoEdgesAreExtended) {

@@ -73,8 +73,8 @@ TEST_F(LoopClosing, ALargerGapStaysAndIsReported) {
   EXPECT_FALSE(as_drawn.curves[0].closed);
   ASSERT_EQ(as_drawn.told.size(), 1U);  // 2 · 6 · sin 10°
   EXPECT_EQ(as_drawn.told[0],
-            "The ends of a curve lie 2.08 mesh units apart; it is taken as open. If a loop is "
-            "meant, close it.");
+            "The ends of a curve lie 2.08 mesh units apart; the curve is taken as open. If a "
+            "loop is meant, close the curve.");
   EXPECT_TRUE(told(CurveEnds::kOpen).told.empty());
   EXPECT_TRUE(told(CurveEnds::kClosed).curves[0].closed);
   drawing.curves = {arc(0, 300)};  // a horseshoe

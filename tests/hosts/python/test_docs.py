@@ -41,7 +41,7 @@ class Docs(unittest.TestCase):
                         self.skipTest(f"no {found.group(2)} (Debian: python3-{found.group(2)})")
                     exec(compile("\n" * line + code, page, "exec"), names)  # pylint: disable=exec-used
         # The page quotes this sentence.
-        self.assertIn("3 Vertices 5 and 900 at position 0", printed.getvalue())
+        self.assertIn("3 Vertices 5 and 900, at positions 0 and 1", printed.getvalue())
         self.assertIn(printed.getvalue().strip().splitlines()[-1],
                       (support.SOURCE / "docs/python.md").read_text())
 

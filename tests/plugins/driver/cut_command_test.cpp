@@ -305,10 +305,9 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   write(file("short.obj"), line_over(1, 9, 5.3));
   outcome = run("cut plane.ply --curve short.obj -o led.ply --open --report led.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(
-      outcome.out.find(
-          "The end of curve 0 lies 1 mesh units from the border of the mesh; the curve was led"),
-      std::string::npos)
+  EXPECT_NE(outcome.out.find("The end of curve 0 lies 1 mesh units from the border of the mesh; "
+                             "the curve was extended"),
+            std::string::npos)
       << outcome.out;
   EXPECT_EQ(json("led.json")["pieces"], 2);
   EXPECT_EQ(json("led.json")["warnings"].size(), 2U);
@@ -337,10 +336,9 @@ TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
             nlohmann::json::array({1, 5, 0}));
   const Outcome drawn = run(draw + "led.json --border snap");
   ASSERT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_NE(
-      drawn.out.find(
-          "The start of curve 0 lies 1 mesh units from the border of the mesh; the curve was led"),
-      std::string::npos)
+  EXPECT_NE(drawn.out.find("The start of curve 0 lies 1 mesh units from the border of the mesh; "
+                           "the curve was extended"),
+            std::string::npos)
       << drawn.out;
   const auto points = json("led.json")["curves"][0]["points"];
   EXPECT_EQ(points.front()["xyz"], nlohmann::json::array({0, 5, 0}));

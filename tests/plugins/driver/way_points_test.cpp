@@ -102,7 +102,7 @@ TEST_F(DriverWayPoints, RidgesMoveDrawingsAndTheirClicks) {
   EXPECT_EQ(told.code, 0) << told.err;
   EXPECT_NE(told.out.find("100 % of curve 0 were moved onto ridges"), std::string::npos)
       << told.out;
-  EXPECT_NE(told.out.find("3 of its clicks moved along"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("3 of its clicks moved, too"), std::string::npos) << told.out;
   const json moved = read("ridge.json");
   for (const json& point : moved.at("curves").at(0).at("points")) {
     EXPECT_EQ(point.at("xyz").at(1), 15);

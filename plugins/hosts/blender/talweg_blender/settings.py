@@ -42,12 +42,12 @@ def own(changed):
     return {
         "thickness": bpy.props.FloatProperty(
             name="Thickness", default=1, min=0, soft_max=4, precision=2, step=10,
-            description="Of the curve object; 1 fits the edges and the size of the mesh", **update),
+            description="Thickness of the curve object; 1 fits the edges and the size of the mesh", **update),
         "colours": bpy.props.EnumProperty(
-            name="Colours", default="PLAIN", description="What the curve is coloured by", **update,
-            items=[("PLAIN", "Plain", "Those of its material"),
+            name="Colours", default="PLAIN", description="The values that the colours of the curve show", **update,
+            items=[("PLAIN", "Plain", "The colour of its material"),
                    ("DEVIATION", "Deviation", "Distance from what was drawn, along the surface"),
-                   ("TURNING", "Turning", "How sharply it turns on the surface")]),
+                   ("TURNING", "Turning", "How sharply the curve turns on the surface")]),
         "repair": bpy.props.BoolProperty(
             name="On a repaired copy", default=False, description="Smooth on a repaired copy of a mesh "
             "that is no surface; the mesh itself stays as it is", **update),

@@ -1,5 +1,6 @@
 #include "mesh_words.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 
@@ -14,6 +15,7 @@ std::string grouped(double number) {
 }
 
 std::string number(double value) {
+  if (value >= 9999.5 && value < 1e15) return grouped(std::round(value));
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
@@ -65,7 +67,7 @@ std::string words_of(const host::Results& r) {
 std::string words_of(const editing::MeshArrays& mesh, double mean_edge) {
   return line("faces", grouped(static_cast<double>(mesh.triangles.size()))) +
          line("vertices", grouped(static_cast<double>(mesh.positions.size()))) +
-         line("edge length", number(mean_edge)) + "\nAll else: talweg info.\n";
+         line("edge length", number(mean_edge)) + "\nThe command talweg info tells more.\n";
 }
 
 }  // namespace talweg::browser

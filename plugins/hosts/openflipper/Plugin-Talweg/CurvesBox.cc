@@ -46,7 +46,7 @@ void CurvesBox::make_numbers(QGridLayout* grid) {
   grid->setColumnStretch(1, 1);
   tau_ = new NumberRow(
       {"talwegOwnTau", tr("Own tau"),
-       tr("Of the selected curve alone. Unticked: Tau, as of all curves."), QString()},
+       tr("Tau of the selected curve alone. Unticked: the tau of all curves."), QString()},
       16, true, grid, this);
   tolerance_ = new NumberRow({"talwegTolerance", tr("Tolerance"),
                               tr("How far the selected curve may pass from its clicked points, and "

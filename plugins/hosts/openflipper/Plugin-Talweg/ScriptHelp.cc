@@ -110,8 +110,8 @@ std::vector<ScriptSlot> ScriptHelp::all() {
        mesh + tr(";nothing, deviation, distance or potential")},
       {"showComb(int,bool)", tr("Shows combs of curvature along the curves."), "meshId;with",
        mesh + tr(";whether")},
-      {"largest(int,QString)", tr("Marks where it is largest, and tells the place."), "meshId;what",
-       mesh + tr(";nothing, deviation or curvature")},
+      {"largest(int,QString)", tr("Marks the place of the largest value, and returns it."),
+       "meshId;what", mesh + tr(";nothing, deviation or curvature")},
   };
 }
 

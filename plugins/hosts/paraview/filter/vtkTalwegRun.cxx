@@ -39,7 +39,8 @@ void set_parameter(const std::string& word, const talweg_plugin& plugin,
                    talweg::paraview::Session& session) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) {
-    throw std::runtime_error("Parameters: '" + word + "' is not as share=0.1.");
+    throw std::runtime_error("Parameters: '" + word +
+                             "' is no name and value such as share=0.1.");
   }
   const std::string id = word.substr(0, equals);
   const std::string value = word.substr(equals + 1);

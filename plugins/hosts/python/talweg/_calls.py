@@ -21,8 +21,8 @@ def mesh_first(function: _Call) -> _Call:
     def call(*given: Any, **named: Any) -> Any:
         if not _begins_with_arrays(given, named):
             return function(*given, **named)
-        warnings.warn(f"talweg.{function.__name__}(vertices, faces, ...) is talweg."
-                      f"{function.__name__}((vertices, faces), ...) now, and goes with the next release.",
+        warnings.warn(f"talweg.{function.__name__}(vertices, faces, ...) is deprecated and will be removed in "
+                      f"the next release; call talweg.{function.__name__}((vertices, faces), ...).",
                       DeprecationWarning, stacklevel=2)
         vertices = given[0] if given else named.pop("vertices")
         faces = given[1] if len(given) > 1 else named.pop("faces", None)

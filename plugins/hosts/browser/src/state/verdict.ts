@@ -33,6 +33,7 @@ export function firstVerdict(state: State): Verdict | null {
 export function farthestText({ farthest, farthestAtMost }: CurveReport, unit: string): string {
   if (farthest === null) return '–';
   if (farthestAtMost === null) return `≥ ${lengthText(farthest, unit)}`;
+  if (farthest < 1e-6 * farthestAtMost) return `≤ ${lengthText(farthestAtMost, unit)}`;
   if (farthestAtMost > farthest) return `${numberText(farthest)} to ${lengthText(farthestAtMost, unit)}`;
   return lengthText(farthest, unit);
 }

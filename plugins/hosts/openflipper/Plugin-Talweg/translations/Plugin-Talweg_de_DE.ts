@@ -151,7 +151,7 @@
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Of all curves together, in mesh units.</source>
+        <source>Length of all curves together, in mesh units.</source>
         <translation>Aller Kurven zusammen, in Einheiten des Netzes.</translation>
     </message>
     <message>
@@ -159,7 +159,7 @@
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>All that the curves turn, added up.</source>
+        <source>The sum of all turns of the curves.</source>
         <translation>Alles, was die Kurven sich drehen, zusammengezählt.</translation>
     </message>
     <message>
@@ -529,7 +529,7 @@
         <translation>;ob</translation>
     </message>
     <message>
-        <source>Marks where it is largest, and tells the place.</source>
+        <source>Marks the place of the largest value, and returns it.</source>
         <translation>Markiert, wo sie am größten ist, und nennt die Stelle.</translation>
     </message>
     <message>
@@ -604,7 +604,7 @@
         <translation>Doppelklick auf einen Namen ändert ihn.</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, in mesh units.</source>
+        <source>Length of the smoothed curve, in mesh units.</source>
         <translation>Der geglätteten Kurve, in Netzeinheiten.</translation>
     </message>
     <message>
@@ -612,7 +612,7 @@
         <translation>Die größte vom Gezeichneten, in Netzeinheiten.</translation>
     </message>
     <message>
-        <source>All that the smoothed curve turns, added up.</source>
+        <source>The sum of all turns of the smoothed curve.</source>
         <translation>Alle Drehungen der geglätteten Kurve zusammen.</translation>
     </message>
 </context>
@@ -683,7 +683,7 @@
         <translation>Eigenes Tau</translation>
     </message>
     <message>
-        <source>Of the selected curve alone. Unticked: Tau, as of all curves.</source>
+        <source>Tau of the selected curve alone. Unticked: the tau of all curves.</source>
         <translation>Nur der ausgewählten Kurve. Ohne Haken: Tau wie bei allen Kurven.</translation>
     </message>
     <message>
@@ -792,7 +792,7 @@
         <translation>Kamm</translation>
     </message>
     <message>
-        <source>Teeth across the curves, as long as they are curved there.</source>
+        <source>Teeth across the curves, whose lengths show the curvature.</source>
         <translation>Zähne quer zu den Kurven, so lang wie sie dort gekrümmt sind.</translation>
     </message>
     <message>
@@ -808,7 +808,7 @@
         <translation>Größte Krümmung</translation>
     </message>
     <message>
-        <source>Marks where it is largest, and turns the view to it.</source>
+        <source>Marks the place of the largest value, and turns the view to it.</source>
         <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
     </message>
 </context>
