@@ -73,7 +73,7 @@ std::vector<ReportEntry> entries_of(const SurfaceMesh& mesh, const CutMesh& cut,
     entries.add_part(k, part.lists.points.size(), part.lists.triangles.size(), part.lids);
   }
   std::vector<std::string> all = warnings;
-  all.insert(all.end(), made.told.begin(), made.told.end());
+  all.insert(all.end(), made.notes.begin(), made.notes.end());
   return entries.take(all, ms);
 }
 

@@ -116,7 +116,7 @@ MeshParts without_attributes(MeshLists lists, const SurfaceMesh& mesh, const Cut
   made.pieces = seams.pieces;
   for (std::size_t c = 0; c < chains.size(); ++c) made.separates.push_back(separates(seams, c));
   if (options.keep != KeptSide::kBoth) check_parted(mesh, cut, seams, options.keep);
-  made.told = separation_notes(mesh, cut, seams);
+  made.notes = separation_notes(mesh, cut, seams);
   const std::vector<bool> wanted = kept(seams, options.keep, made.between);
   if (!options.split) {
     made.parts.push_back(part_of(seams, wanted, chains, options.lids, progress));

@@ -46,7 +46,7 @@ struct MeshParts {
   std::size_t between = 0;  ///< pieces left out: on the left of one curve, on the right of another
   /// Per curve, whether it separates the mesh (curve_separation.hpp); empty if no seam was opened.
   std::vector<bool> separates;
-  std::vector<std::string> told;      ///< sentences about curves that do not separate the mesh
+  std::vector<std::string> notes;     ///< sentences about curves that do not separate the mesh
   std::vector<std::string> left_out;  ///< descriptions of attributes that are not carried over
 };
 

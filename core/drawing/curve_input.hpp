@@ -41,7 +41,7 @@ struct CurveInput {
   /// way-points if they can have been clicked, see why_no_clicks().
   bool control_points = false;
   /// Sentences on changes by the reader: positions turned or scaled, points left out.
-  std::vector<std::string> told;
+  std::vector<std::string> notes;
 };
 
 }  // namespace talweg

@@ -36,11 +36,11 @@ std::array<double, 2> steps_at_ends(const SurfaceMesh& mesh, const SnappedCurve&
 
 /// Adds sentences on the ends of a curve that run over the border.
 void tell_beyond_border(const SnappedCurve& curve, std::size_t number,
-                        std::vector<std::string>& told) {
+                        std::vector<std::string>& notes) {
   for (std::size_t side = 0; side < 2; ++side) {
     const BeyondBorder& beyond = curve.beyond_border[side];
     if (beyond.points == 0) continue;
-    told.push_back(fmt::format(
+    notes.push_back(fmt::format(
         "Curve {} runs over the border of the mesh at its {}: {} {} up to {:.3g} mesh units beyond "
         "the border {} left out, and the curve {} exactly at the border.",
         number, side == 0 ? "start" : "end", beyond.points, beyond.points == 1 ? "point" : "points",
@@ -62,9 +62,9 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
     }
     for (const std::size_t k : curve.painted) painted.push_back(curve.points[k]);
     if (!curve.why_stroke.empty()) strokes.push_back(curve.why_stroke);
-    told.insert(told.end(), curve.told.begin(), curve.told.end());
+    notes.insert(notes.end(), curve.notes.begin(), curve.notes.end());
     if (better_fit.empty()) better_fit = curve.better_fit;
-    tell_beyond_border(curve, curves.size(), told);
+    tell_beyond_border(curve, curves.size(), notes);
     may_be_loop.push_back(curve.may_be_loop);
     hand_steps.push_back(steps_at_ends(mesh, curve));
     curves.push_back(lines.join(curve.points, curve.closed, progress));
@@ -80,7 +80,7 @@ void SnappedDrawing::add(const SurfaceMesh& mesh, std::span<const SnappedCurve> 
 std::vector<std::string> SnappedDrawing::warnings() const {
   std::vector<std::string> sentences;
   if (!moved.empty()) sentences.push_back(moved);
-  sentences.insert(sentences.end(), told.begin(), told.end());
+  sentences.insert(sentences.end(), notes.begin(), notes.end());
   if (gaps.count > 0) sentences.push_back(gap_warning(gaps));
   return sentences;
 }

@@ -26,7 +26,7 @@ struct SnappedDrawing {
   std::vector<WayPoint> all_exact;    ///< the way-points under PointMeaning::kExact
   std::vector<SurfacePoint> painted;  ///< named by the drawing
   std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
-  std::vector<std::string> told;      ///< sentences on points that were moved or left out
+  std::vector<std::string> notes;     ///< sentences on points that were moved or left out
   double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
   std::string better_fit;             ///< from the first curve that has a text, see SnappedCurve
   std::string moved;                  ///< sentences on moves onto the mesh; may be empty

@@ -229,7 +229,7 @@ std::vector<ClosestPoint::Result> nearest_to(const SurfaceMesh& mesh, const Clos
 void tell_matching(const SheetMatching& matching, const std::vector<Point>& positions, double edge,
                    SnappedCurve& curve) {
   if (matching.moved > 0) {
-    curve.told.push_back(fmt::format(
+    curve.notes.push_back(fmt::format(
         "{} of {} points of a curve {} nearer to the other side of a thin wall than the rest of "
         "the curve, and {} put on the side of the rest, the first at {}.",
         matching.moved, positions.size(), matching.moved == 1 ? "is" : "are",
@@ -237,7 +237,7 @@ void tell_matching(const SheetMatching& matching, const std::vector<Point>& posi
         position_text(positions[matching.first_moved], edge)));
   }
   if (matching.jumps > 0) {
-    curve.told.push_back(
+    curve.notes.push_back(
         fmt::format("A curve jumps through space in {} {} where every way over the surface is much "
                     "longer, the first at {}.",
                     matching.jumps, matching.jumps == 1 ? "place" : "places",
@@ -345,7 +345,7 @@ bool has_positions(const CurveInput& curve) {
 /// The curve without spikes if it is a stroke of positions with spikes; adds a sentence on them.
 /// `edge` is the mean edge length of the mesh.
 std::optional<CurveInput> without_spikes(const CurveInput& curve, double edge,
-                                         std::vector<std::string>& told) {
+                                         std::vector<std::string>& notes) {
   const auto* samples = std::get_if<std::vector<Point>>(&curve.points);
   const bool is_stroke = samples != nullptr && !curve.control_points && curve.pins.empty() &&
                          curve.way_points.empty() && curve.painted.empty();
@@ -356,7 +356,7 @@ std::optional<CurveInput> without_spikes(const CurveInput& curve, double edge,
   for (std::size_t k = 0; k < samples->size(); ++k) {
     if (!std::binary_search(spikes.begin(), spikes.end(), k)) kept.push_back((*samples)[k]);
   }
-  told.push_back(fmt::format(
+  notes.push_back(fmt::format(
       "{} of {} points of a curve {} far from the points before and after, as when a tracker is "
       "disturbed, and {} left out, the first at {}.",
       spikes.size(), samples->size(), spikes.size() == 1 ? "lies" : "lie",
@@ -414,9 +414,9 @@ std::optional<CurveInput> within_border(const SurfaceMesh& mesh, const ClosestPo
 SnappedCurve snap_one(const SurfaceMesh& mesh, const ClosestPoint* closest, const CurveInput& given,
                       const SnapOptions& options, ProgressPoller& poller) {
   SnappedCurve result;
-  result.told = given.told;
+  result.notes = given.notes;
   const std::optional<CurveInput> rest =
-      without_spikes(given, mesh.mean_edge_length(), result.told);
+      without_spikes(given, mesh.mean_edge_length(), result.notes);
   std::optional<CurveInput> within;
   if (closest != nullptr) within = within_border(mesh, *closest, rest ? *rest : given, result);
   const CurveInput& curve = within ? *within : rest ? *rest : given;

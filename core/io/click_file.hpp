@@ -11,7 +11,7 @@ namespace talweg {
 
 /// Reads the points of 3D Slicer's point lists and curves: `.fcsv`, or `.mrk.json` with one markup
 /// of type Fiducial, PointList, Line, Curve or ClosedCurve. Positions are converted to the frame of
-/// the mesh, as by read_curves(). Only a ClosedCurve gives a closed result. CurveInput::told has
+/// the mesh, as by read_curves(). Only a ClosedCurve gives a closed result. CurveInput::notes has
 /// sentences on conversions and on points left out. Throws Error(kBadFile) with one sentence that
 /// names the file, the place and what was expected.
 CurveInput read_clicks(const std::filesystem::path& path, const CoordinateFrame& frame = {});

@@ -126,8 +126,8 @@ class FcsvReader {
         cannot_read(source_.path, "a coordinate is too large in the unit of the mesh");
       }
     }
-    std::string told = conversion(source_.path, from, to);
-    if (!told.empty()) curves.front().told.push_back(std::move(told));
+    std::string note = conversion(source_.path, from, to);
+    if (!note.empty()) curves.front().notes.push_back(std::move(note));
   }
 
   const Source& source_;

@@ -78,9 +78,9 @@ CurveInput read_markup(const JsonPlace& markup, bool closed, const Source& sourc
   std::vector<Point> positions = positions_of(controls, from, source.frame, result);
   if (positions.empty()) controls.fail("expected at least one point with a defined position");
   const std::string converted = conversion(source.path, from, source.frame);
-  if (!converted.empty()) result.told.push_back(converted);
+  if (!converted.empty()) result.notes.push_back(converted);
   if (positions.size() < controls.size()) {
-    result.told.push_back(
+    result.notes.push_back(
         left_out(source.path, controls.size() - positions.size(), controls.size()));
   }
   result.points = std::move(positions);
@@ -92,7 +92,7 @@ CurveInput read_markup(const JsonPlace& markup, bool closed, const Source& sourc
 void tell_once(std::vector<CurveInput>& curves) {
   std::vector<std::string> said;
   for (CurveInput& curve : curves) {
-    std::erase_if(curve.told, [&](const std::string& sentence) {
+    std::erase_if(curve.notes, [&](const std::string& sentence) {
       const bool again = std::find(said.begin(), said.end(), sentence) != said.end();
       if (!again) said.push_back(sentence);
       return again;

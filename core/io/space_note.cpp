@@ -66,7 +66,7 @@ void turn_to(const CoordinateFrame& frame, PatientSpace space, const std::filesy
     for (Point& p : *positions) p = Point(-p.x(), -p.y(), p.z());
   }
   if (!curves.empty()) {
-    curves.front().told.push_back(conversion(path, {frame.unit, space}, frame));
+    curves.front().notes.push_back(conversion(path, {frame.unit, space}, frame));
   }
 }
 

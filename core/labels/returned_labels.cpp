@@ -116,8 +116,8 @@ std::vector<LostLabel> give_back(std::span<const std::int64_t> drawn,
   return list;
 }
 
-std::string told_of(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
-                    const LabelNames& names) {
+std::string note_on_lost(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
+                         const LabelNames& names) {
   constexpr std::size_t kNamed = 5;
   const bool one = lost.size() == 1;
   std::string list;

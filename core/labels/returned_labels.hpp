@@ -38,7 +38,7 @@ std::vector<LostLabel> give_back(std::span<const std::int64_t> drawn,
 /// A sentence about lost labels, without a period: "Label 7 (1 vertex) covers no face: its vertices
 /// keep it". `by_face`: whether the given labels are of faces; `of_faces`: whether the new labels
 /// are of faces. The first five labels are named. O(labels).
-std::string told_of(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
-                    const LabelNames& names = {});
+std::string note_on_lost(const std::vector<LostLabel>& lost, bool by_face, bool of_faces,
+                         const LabelNames& names = {});
 
 }  // namespace talweg

@@ -17,7 +17,7 @@
 namespace talweg {
 namespace {
 
-std::string told_of(const CleanedStroke& stroke) {
+std::string note_on(const CleanedStroke& stroke) {
   std::vector<std::string> parts;
   const auto add = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : many));
@@ -73,7 +73,7 @@ class CurveCleaning {
     result.left_out = curve_.points.size() - kept_;
     result.measures =
         measure_curve(mesh_->surface(), curve_, edge_length_near(mesh_->surface(), result.curve));
-    if (sum_.rests + sum_.hooks > 0) result.told.push_back(told_of(sum_));
+    if (sum_.rests + sum_.hooks > 0) result.notes.push_back(note_on(sum_));
     return result;
   }
 
@@ -233,7 +233,7 @@ bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
   const auto same_curve = [](const CleanedCurve& one, const CleanedCurve& other) {
     return one.curve.points == other.curve.points && one.places == other.places &&
            one.slack.slack == other.slack.slack && one.slack.source == other.slack.source &&
-           one.slack.along == other.slack.along && one.told == other.told;
+           one.slack.along == other.slack.along && one.notes == other.notes;
   };
   const auto same_way = [](const WayPoint& one, const WayPoint& other) {
     return one.point == other.point && one.tolerance == other.tolerance;
@@ -247,7 +247,7 @@ bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
 
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
                      SmoothingReport& report) {
-  report.warnings.insert(report.warnings.end(), curve.told.begin(), curve.told.end());
+  report.warnings.insert(report.warnings.end(), curve.notes.begin(), curve.notes.end());
   if (curve.places.empty()) return;
   report.points_before = given.points.size();
   report.left_out = curve.left_out;
@@ -343,13 +343,13 @@ class NearClicks {
 /// Removes merged clicks of a curve from the options. Returns them, with a sentence for the user.
 std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                        const PointLookup& often, CurveOptions& options,
-                                       std::vector<std::string>& told) {
+                                       std::vector<std::string>& notes) {
   NearClicks clicks(mesh, curve, options, often);
   std::vector<SurfacePoint> dropped = clicks.dropped();
   if (dropped.empty()) return dropped;
   const PointLookup gone(dropped);
   std::erase_if(options.way_points, [&](const WayPoint& way) { return gone.contains(way.point); });
-  told.push_back(
+  notes.push_back(
       fmt::format("{} of the points that the result should pass {} within {:.3g} mesh units of "
                   "another point and {} merged with that point.",
                   dropped.size(), dropped.size() == 1 ? "lies" : "lie", clicks.farthest(),
@@ -386,12 +386,12 @@ CleanedDrawing cleaned_drawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     }
     const CurveOrder order = canonical_order(mesh, curve);
     const SurfaceCurve ordered = in_order(curve, order);
-    std::vector<std::string> told;
-    const std::vector<SurfacePoint> dropped = merge_clicks(mesh, ordered, often, merged, told);
+    std::vector<std::string> notes;
+    const std::vector<SurfacePoint> dropped = merge_clicks(mesh, ordered, often, merged, notes);
     CleanedCurve& own =
         cleaned.curves.emplace_back(CurveCleaning(mesh, ordered, merged, dropped, painted)
                                         .run(known.empty() ? nullptr : &known[c]));
-    own.told.insert(own.told.begin(), told.begin(), told.end());
+    own.notes.insert(own.notes.begin(), notes.begin(), notes.end());
     if (known.empty() && !own.slack.along.empty()) {
       own.slack = turned_back(own.slack, mesh, curve, order);
     }

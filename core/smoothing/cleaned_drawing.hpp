@@ -25,7 +25,7 @@ struct CleanedCurve {
   std::size_t left_out = 0;  ///< number of given points that were left out
   double farthest = 0;       ///< mesh units: largest distance of a point left out from the curve
   CurveMeasures measures;    ///< of the given curve, if it was changed
-  std::vector<std::string> told;  ///< sentences for the user about rests, hooks, clicks
+  std::vector<std::string> notes;  ///< sentences for the user about rests, hooks, clicks
 
   /// Interpolates values at the given points linearly at the points of `curve`.
   [[nodiscard]] std::vector<double> values(std::span<const double> given, bool closed) const;

@@ -137,7 +137,7 @@ void extend_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<Surfac
   std::vector<SurfacePoint>& points = drawing.curves[end.curve].points;
   SurfaceCurve extended{false, {end.of(drawing)}};
   extended.points.insert(extended.points.end(), way.begin(), way.end());
-  drawing.told.push_back(
+  drawing.notes.push_back(
       fmt::format("The {} of curve {} lies {:.3g} mesh units from the border of the mesh; the "
                   "curve was extended straight to the border.",
                   end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), extended)));

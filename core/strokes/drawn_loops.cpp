@@ -62,7 +62,7 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     std::optional<ClosedLoop> loop = closed_loop(mesh, drawing.curves[c], lines, always);
     if (!loop) {
       if (const auto gap = gap_of_near_loop(mesh, drawing.curves[c])) {
-        drawing.told.push_back(note_on_gap(*gap));
+        drawing.notes.push_back(note_on_gap(*gap));
       }
       continue;
     }
@@ -75,7 +75,7 @@ SnappedDrawing with_loops_closed(const SurfaceMesh& mesh, SnappedDrawing drawing
     // A loop without a clicked point or a pin is joined again from the whole stroke.
     if (any_on(gone, drawing)) loop = ClosedLoop{lines.join(stroke, true), loop->gap, 0};
     drawing.curves[c] = std::move(loop->curve);
-    if (!always || loop->cut > loop->gap) drawing.told.push_back(note_on_loop(*loop));
+    if (!always || loop->cut > loop->gap) drawing.notes.push_back(note_on_loop(*loop));
     forget_marks(gone, drawing);
   }
   return drawing;

@@ -19,7 +19,7 @@ FileKind kind_of(const struct stat& status) {
   return S_ISCHR(status.st_mode) ? FileKind::kDevice : FileKind::kOther;
 }
 
-FileStatus told(const struct stat& status) {
+FileStatus status_of(const struct stat& status) {
   constexpr std::int64_t kNanoseconds = 1'000'000'000;
 #if defined(__APPLE__)
   const timespec& written = status.st_mtimespec;
@@ -50,13 +50,13 @@ const char* mode_of(FileUse use) {
 std::optional<FileStatus> file_status(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return std::nullopt;
-  return told(status);
+  return status_of(status);
 }
 
 FileStatus file_status(std::FILE& file) {
   struct stat status {};
   static_cast<void>(fstat(fileno(&file), &status));
-  return told(status);
+  return status_of(status);
 }
 
 File open_file(const fs::path& path, FileUse use) {

@@ -48,7 +48,7 @@ constexpr DWORD kShared = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE
 
 std::uint64_t wide(DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; }
 
-FileStatus told(HANDLE handle) {
+FileStatus status_of(HANDLE handle) {
   FileStatus status;
   const DWORD type = GetFileType(handle);
   if (type == FILE_TYPE_CHAR) status.kind = FileKind::kDevice;
@@ -129,11 +129,11 @@ std::optional<FileStatus> file_status(const fs::path& path) {
   const Handle handle(CreateFileW(long_name(path).c_str(), FILE_READ_ATTRIBUTES, kShared, nullptr,
                                   OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS, nullptr));
   if (!handle.found()) return std::nullopt;
-  return told(handle.get());
+  return status_of(handle.get());
 }
 
 FileStatus file_status(std::FILE& file) {
-  return told(reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(&file))));
+  return status_of(reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(&file))));
 }
 
 File open_file(const fs::path& path, FileUse use) {

@@ -221,7 +221,7 @@ std::string Cutting::summary() const {
           "right of another\n",
           made_.between);
     }
-    for (const std::string& sentence : made_.told) text += sentence + "\n";
+    for (const std::string& sentence : made_.notes) text += sentence + "\n";
   }
   for (std::size_t k = 0; k < made_.parts.size(); ++k) {
     const MeshPart& part = made_.parts[k];

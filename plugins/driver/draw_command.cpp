@@ -49,7 +49,7 @@ struct Options {
 struct Clicks {
   std::vector<SurfacePoint> points;
   bool closed = false;
-  std::vector<std::string> told;      ///< sentences on how they were read
+  std::vector<std::string> notes;     ///< sentences on how they were read
   bool far = false;                   ///< whether the first sentence is a warning
   std::vector<std::string> extended;  ///< sentences on ends that were extended to the border
 };
@@ -86,10 +86,10 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   std::string moved = snap_warning(snapped.largest_snap_distance, mesh);
   if (!snapped.better_fit.empty()) moved += fmt::format(" It {}.", snapped.better_fit);
   clicks.far = moved_far(snapped.largest_snap_distance, mesh) || !snapped.better_fit.empty();
-  if (!moved.empty()) clicks.told.push_back(moved);
-  clicks.told.insert(clicks.told.end(), snapped.told.begin(), snapped.told.end());
+  if (!moved.empty()) clicks.notes.push_back(moved);
+  clicks.notes.insert(clicks.notes.end(), snapped.notes.begin(), snapped.notes.end());
   if (snapped.merged > 0) {
-    clicks.told.push_back(fmt::format("{} clicks lie where the one before lies.", snapped.merged));
+    clicks.notes.push_back(fmt::format("{} clicks lie where the one before lies.", snapped.merged));
   }
   clicks.points = std::move(snapped.points);
   if (map != nullptr) {
@@ -131,7 +131,7 @@ bool lead_to_border(const SurfaceMesh& mesh, const SurfaceCurve& path, Clicks& c
   if (extended.front() != path.points.front())
     clicks.points.insert(clicks.points.begin(), extended.front());
   if (extended.back() != path.points.back()) clicks.points.push_back(extended.back());
-  clicks.extended = std::move(drawing.told);
+  clicks.extended = std::move(drawing.notes);
   return !clicks.extended.empty();
 }
 
@@ -167,11 +167,11 @@ ReadyCurve drawn(const SurfaceMesh& mesh, Clicks& clicks, const Options& options
 /// away comes first, and on the standard error.
 void tell_clicks(const Clicks& clicks, bool quiet) {
   clear_progress_bar();
-  for (std::size_t k = 0; k < clicks.told.size() && !quiet; ++k) {
+  for (std::size_t k = 0; k < clicks.notes.size() && !quiet; ++k) {
     if (k == 0 && clicks.far) {
-      std::fprintf(stderr, "talweg: warning: %s\n", clicks.told[k].c_str());
+      std::fprintf(stderr, "talweg: warning: %s\n", clicks.notes[k].c_str());
     } else {
-      std::fprintf(text_stream(), "%s\n", clicks.told[k].c_str());
+      std::fprintf(text_stream(), "%s\n", clicks.notes[k].c_str());
     }
   }
 }
@@ -203,7 +203,7 @@ int run(const Options& options, const GlobalOptions& global) {
   const SurfaceMesh mesh = SurfaceMesh::open(read.lists);
   const CoordinateFrame frame = with_unit(read.lists.frame(), options.mesh_units);
   std::vector<PlacedCurve> curves;
-  std::vector<std::string> told;
+  std::vector<std::string> notes;
   try {
     const Progress progress = progress_bar(global.quiet);
     Clicks clicks = options.clicks.empty()
@@ -211,8 +211,8 @@ int run(const Options& options, const GlobalOptions& global) {
                         : clicks_of_file(mesh, read.map.get(), options, frame, progress);
     ReadyCurve made = drawn(mesh, clicks, options, frame, progress);
     tell_clicks(clicks, global.quiet);
-    told = std::move(clicks.extended);
-    if (made.spacing) told.push_back(spacing_text(made));
+    notes = std::move(clicks.extended);
+    if (made.spacing) notes.push_back(spacing_text(made));
     curves.push_back(in_file_numbers(read.map.get(), std::move(made.curve)));
   } catch (const Error& error) {
     rethrow_with_weld_hint(error, read.lists);
@@ -223,8 +223,8 @@ int run(const Options& options, const GlobalOptions& global) {
   }
   if (global.quiet) return kDone;
   tell_strokes(options);
-  told.insert(told.end(), read.changes.begin(), read.changes.end());
-  for (const std::string& sentence : told) std::fprintf(text_stream(), "%s\n", sentence.c_str());
+  notes.insert(notes.end(), read.changes.begin(), read.changes.end());
+  for (const std::string& sentence : notes) std::fprintf(text_stream(), "%s\n", sentence.c_str());
   return kDone;
 }
 

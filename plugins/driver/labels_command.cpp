@@ -107,11 +107,11 @@ LabelOutput new_labels(const LabelsOptions& o, const LabelNetwork& network, cons
   const std::vector<LostLabel> lost =
       give_back(map == nullptr ? read.labels : read.of_file, network.face_labels, output.labels);
   if (!lost.empty()) {
-    const std::string told = told_of(lost, by_face, output.of_faces, read.names);
+    const std::string note = note_on_lost(lost, by_face, output.of_faces, read.names);
     const char* other = by_face == output.of_faces ? "."
                         : by_face                  ? " (--labels-per face does)."
                                                    : " (--labels-per vertex does).";
-    warnings.push_back(told + other);
+    warnings.push_back(note + other);
   }
   std::size_t alone = 0;
   for (std::size_t v = 0; by_face && !output.of_faces && v < surface.vertex_count(); ++v) {

@@ -40,7 +40,7 @@ CurveMeasurement measure(const MeasureOptions& options, const Progress& progress
   if (!options.other.empty()) {
     other = read_drawing(options.other, mesh, read.map.get(), frame);
     lead_with_far_move(other, quiet);
-    drawing.told.insert(drawing.told.end(), other.told.begin(), other.told.end());
+    drawing.notes.insert(drawing.notes.end(), other.notes.begin(), other.notes.end());
     if (other.largest_snap_distance > drawing.largest_snap_distance) {
       drawing.largest_snap_distance = other.largest_snap_distance;
       drawing.moved = other.moved;

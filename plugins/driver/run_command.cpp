@@ -120,7 +120,7 @@ std::string list_text(const host::ReportEntry& entry) {
 
 /// Reads the curves of the files in the numbers of the mesh, and adds sentences on the conversion.
 std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files,
-                                   std::vector<std::string>& told) {
+                                   std::vector<std::string>& notes) {
   const CoordinateFrame frame = with_unit(mesh.lists.frame(), files.mesh_units);
   Surface surface;
   if (mesh.map != nullptr) {
@@ -129,7 +129,7 @@ std::vector<host::Curve> curves_on(const ReadMesh& mesh, const Files& files,
   std::vector<host::Curve> curves;
   for (const std::string& path : files.curves) {
     for (CurveInput& curve : read_curves(path, frame)) {
-      told.insert(told.end(), curve.told.begin(), curve.told.end());
+      notes.insert(notes.end(), curve.notes.begin(), curve.notes.end());
       if (mesh.map != nullptr) curve = mesh.map->to_repaired(curve, surface);
       if (const auto* between = std::get_if<std::vector<CornerCoordinates>>(&curve.points)) {
         if (surface.face_count() == 0) {
@@ -307,9 +307,9 @@ int run_plugin(const talweg_plugin& plugin, const Files& files, const PluginOpti
     set_mesh(instance, mesh.lists);
     const bool single = mesh.lists.single_precision;
     frame = with_unit(mesh.lists.frame(), files.mesh_units);
-    std::vector<std::string> told;
-    const std::vector<host::Curve> curves = curves_on(mesh, files, told);
-    mesh.changes.insert(mesh.changes.end(), told.begin(), told.end());
+    std::vector<std::string> notes;
+    const std::vector<host::Curve> curves = curves_on(mesh, files, notes);
+    mesh.changes.insert(mesh.changes.end(), notes.begin(), notes.end());
     if (!writes_borders(files)) mesh.lists = {};
     if (!curves.empty()) instance.set_curves(curves);
     host::Wanted wanted;

@@ -95,7 +95,7 @@ void check_curve(const CurveInput& curve) {
       for (const double w : at.weights) require(std::isfinite(w) && w >= 0, "weights");
     }
   }
-  for (const std::string& sentence : curve.told) {
+  for (const std::string& sentence : curve.notes) {
     for (const char c : sentence) require(c >= ' ' && c <= '~', "printable sentences");
   }
 }

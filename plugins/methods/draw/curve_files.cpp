@@ -179,18 +179,19 @@ talweg_status read_on(const char* path, const char* mesh_unit, const talweg_mesh
   return attempt(message, message_size, [&] {
     if (path == nullptr) bad_call("The path is null.");
     if (sink == nullptr || sink->size < sizeof *sink) bad_call("The sink is null or too small.");
-    std::string told;
+    std::string notes;
     std::vector<CurveInput> curves = read_curves(path, frame_of(mesh_unit));
     if (mesh != nullptr) place_in_faces(curves, *mesh);
     for (const CurveInput& curve : curves) {
-      for (const std::string& sentence : curve.told) told += (told.empty() ? "" : " ") + sentence;
+      for (const std::string& sentence : curve.notes)
+        notes += (notes.empty() ? "" : " ") + sentence;
       if (sink->curve == nullptr) continue;
       const Input input(curve);
       if (sink->curve(sink->context, &input.view()) != TALWEG_OK) {
         throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take a curve.");
       }
     }
-    tell(told.c_str(), message, message_size);
+    tell(notes.c_str(), message, message_size);
   });
 }
 

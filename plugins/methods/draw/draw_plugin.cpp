@@ -99,7 +99,7 @@ class Draw : public Workspace {
     std::vector<DrawnPath> paths;
     std::vector<RidgeMoves> moves;
     const RidgeOptions ridges = ridge_options_of(parameters);
-    std::vector<std::string> told = host_mesh().changes();
+    std::vector<std::string> notes = host_mesh().changes();
     double total = 0;
     for (std::size_t c = 0; c < snapped_.size(); ++c) {
       go_on("draw", static_cast<double>(c) / static_cast<double>(snapped_.size()));
@@ -112,7 +112,7 @@ class Draw : public Workspace {
       if (exact) marks = marks_through(curve, snapped_[c].points, marks_[c]);
       if (ridges.strength > 0) {
         moves.push_back(snap_to_ridges(c, ridges, curve, marks));
-        told.push_back(moves.back().sentence(c));
+        notes.push_back(moves.back().sentence(c));
       }
       placed.push_back(host_mesh().to_host(place(mesh(), curve, c)));
       placed.back().exact = std::move(marks);
@@ -123,7 +123,7 @@ class Draw : public Workspace {
     if (!preview) paths_ = std::move(paths);
     outputs.report(-1, "length", total);
     give(outputs, -1, total_entries(moves));
-    give(outputs, -1, {{"warnings", told}});
+    give(outputs, -1, {{"warnings", notes}});
     for (std::size_t c = 0; c < placed.size(); ++c) {
       const auto number = static_cast<std::int64_t>(c);
       give(outputs, placed[c], fields[c]);

@@ -173,7 +173,7 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     }
     const std::vector<LostLabel> lost = give_back(came_in, network.face_labels, labels);
     if (!lost.empty()) {
-      warnings.push_back(fmt::format("{}.", told_of(lost, given.by_triangle, true)));
+      warnings.push_back(fmt::format("{}.", note_on_lost(lost, given.by_triangle, true)));
     }
     return {labels.begin(), labels.end()};
   }

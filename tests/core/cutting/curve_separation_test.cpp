@@ -56,7 +56,7 @@ TEST(CurveSeparation, FromBorderToBorder) {
   const MeshParts made = parted(mesh, {through(mesh, {10, 11, 12, 13, 14})});
   EXPECT_EQ(made.pieces, 2U);
   EXPECT_EQ(made.separates, std::vector<bool>{true});
-  EXPECT_TRUE(made.told.empty());
+  EXPECT_TRUE(made.notes.empty());
 }
 
 TEST(CurveSeparation, IsNotAskedForWithoutSeams) {
@@ -64,7 +64,7 @@ TEST(CurveSeparation, IsNotAskedForWithoutSeams) {
   const std::vector<SurfaceCurve> slit = {through(mesh, {10, 11, 12})};
   const MeshParts made = take_apart(mesh, cut_along(mesh, slit), {}, {});
   EXPECT_TRUE(made.separates.empty());
-  EXPECT_TRUE(made.told.empty());
+  EXPECT_TRUE(made.notes.empty());
 }
 
 TEST(CurveSeparation, AnEndInside) {
@@ -72,8 +72,8 @@ TEST(CurveSeparation, AnEndInside) {
   const MeshParts made = parted(mesh, {through(mesh, {36, 37, 38, 39})});  // to (3, 4)
   EXPECT_EQ(made.pieces, 1U);
   EXPECT_EQ(made.separates, std::vector<bool>{false});
-  ASSERT_EQ(made.told.size(), 1U);
-  EXPECT_EQ(made.told[0],
+  ASSERT_EQ(made.notes.size(), 1U);
+  EXPECT_EQ(made.notes[0],
             "Curve 0 does not separate the mesh: its end at (3, 4, 0) lies inside, 3 mesh units "
             "from the border. Draw it from border to border, or as a loop.");
   const std::vector<ReportEntry> report =
@@ -85,7 +85,7 @@ TEST(CurveSeparation, AnEndInside) {
   };
   EXPECT_FALSE(std::get<bool>(entry("separates.0")));
   EXPECT_EQ(std::get<std::vector<std::string>>(entry("warnings")),
-            (std::vector<std::string>{"Of reading.", made.told[0]}));
+            (std::vector<std::string>{"Of reading.", made.notes[0]}));
 }
 
 TEST(CurveSeparation, AcrossATubeTwoAreNeeded) {
@@ -94,14 +94,14 @@ TEST(CurveSeparation, AcrossATubeTwoAreNeeded) {
   const SurfaceCurve other = through(mesh, {4, 12, 20, 28, 36});
   const MeshParts alone = parted(mesh, {one});
   EXPECT_EQ(alone.pieces, 1U);
-  ASSERT_EQ(alone.told.size(), 1U);
-  EXPECT_EQ(alone.told[0],
+  ASSERT_EQ(alone.notes.size(), 1U);
+  EXPECT_EQ(alone.notes[0],
             "Curve 0 does not separate the mesh: it leads from one border to another. A second "
             "curve between these two borders would separate the mesh together with it.");
   const MeshParts both = parted(mesh, {one, other});
   EXPECT_EQ(both.pieces, 2U);
   EXPECT_EQ(both.separates, (std::vector<bool>{true, true}));
-  EXPECT_TRUE(both.told.empty());
+  EXPECT_TRUE(both.notes.empty());
 }
 
 TEST(CurveSeparation, AHoleIsABorder) {
@@ -114,7 +114,7 @@ TEST(CurveSeparation, AHoleIsABorder) {
   const MeshParts both = parted(mesh, {left, right});
   EXPECT_EQ(both.pieces, 2U);
   EXPECT_NEAR(area(both.parts[0].lists), 16, 1e-12);
-  EXPECT_TRUE(both.told.empty());
+  EXPECT_TRUE(both.notes.empty());
 }
 
 TEST(CurveSeparation, LoopsAroundAHandle) {
@@ -122,16 +122,16 @@ TEST(CurveSeparation, LoopsAroundAHandle) {
   const SurfaceCurve loop = through(mesh, {0, 1, 2, 3, 4, 5, 6, 7}, true);
   const SurfaceCurve other = through(mesh, {32, 33, 34, 35, 36, 37, 38, 39}, true);
   const MeshParts alone = parted(mesh, {loop});
-  ASSERT_EQ(alone.told.size(), 1U);
+  ASSERT_EQ(alone.notes.size(), 1U);
   EXPECT_EQ(
-      alone.told[0],
+      alone.notes[0],
       "Curve 0 does not separate the mesh: the mesh is connected around it, as around a "
       "handle. A second loop around the same handle would separate the mesh together with it.");
   EXPECT_EQ(parted(mesh, {loop, other}).separates, (std::vector<bool>{true, true}));
   const MeshParts open = parted(mesh, {through(mesh, {0, 1, 2})});
-  ASSERT_EQ(open.told.size(), 1U);
-  EXPECT_NE(open.told[0].find("The mesh has no border, so draw a loop."), std::string::npos)
-      << open.told[0];
+  ASSERT_EQ(open.notes.size(), 1U);
+  EXPECT_NE(open.notes[0].find("The mesh has no border, so draw a loop."), std::string::npos)
+      << open.notes[0];
 }
 
 TEST(CurveSeparation, CurvesThatEndOnOthers) {
@@ -145,8 +145,8 @@ TEST(CurveSeparation, CurvesThatEndOnOthers) {
 TEST(CurveSeparation, ACurveAlongTheBorder) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(4, 4));
   const MeshParts made = parted(mesh, {through(mesh, {0, 1, 2})});
-  ASSERT_EQ(made.told.size(), 1U);
-  EXPECT_EQ(made.told[0], "Curve 0 does not separate the mesh: it runs along the border only.");
+  ASSERT_EQ(made.notes.size(), 1U);
+  EXPECT_EQ(made.notes[0], "Curve 0 does not separate the mesh: it runs along the border only.");
 }
 
 TEST(CurveSeparation, ACurveThatCutsSomethingOutOnItsWay) {
@@ -155,11 +155,11 @@ TEST(CurveSeparation, ACurveThatCutsSomethingOutOnItsWay) {
   const MeshParts made =
       parted(mesh, {through(mesh, {36, 37, 38, 29, 30, 31, 40, 49, 48, 47, 38, 39})});
   EXPECT_EQ(made.separates, std::vector<bool>{false});
-  ASSERT_EQ(made.told.size(), 1U);
+  ASSERT_EQ(made.notes.size(), 1U);
   EXPECT_NE(
-      made.told[0].find("does not separate the mesh along its whole length: its end at (3, 4, 0)"),
+      made.notes[0].find("does not separate the mesh along its whole length: its end at (3, 4, 0)"),
       std::string::npos)
-      << made.told[0];
+      << made.notes[0];
   EXPECT_EQ(made.pieces, 2U);
 }
 
@@ -170,8 +170,8 @@ TEST(CurveSeparation, ManyAreCounted) {
     slits.push_back(through(mesh, {64 + 2 * k, 95 + 2 * k, 126 + 2 * k}));
   }
   const MeshParts made = parted(mesh, slits);
-  ASSERT_EQ(made.told.size(), 9U);
-  EXPECT_EQ(made.told.back(), "2 more curves do not separate the mesh.");
+  ASSERT_EQ(made.notes.size(), 9U);
+  EXPECT_EQ(made.notes.back(), "2 more curves do not separate the mesh.");
 }
 
 /// Rough ground, [0, 20] x [0, 12], 60 x 36 squares.
@@ -193,13 +193,13 @@ struct CutStroke {
     SnappedDrawing drawing;
     drawing.add(mesh, std::span(&snapped, 1), lines);
     drawing = with_ends_at_border(mesh, std::move(drawing), lines, ExtendedCurves::kStrokes);
-    told = drawing.told;
+    notes = drawing.notes;
     drawn = drawing.curves[0];
     smooth = smooth_curve(opened, drawn).curve();
     parts = parted(mesh, {smooth});
   }
 
-  std::vector<std::string> told;
+  std::vector<std::string> notes;
   SurfaceCurve drawn, smooth;
   MeshParts parts;
 };
@@ -217,7 +217,7 @@ TEST(BorderToBorder, ATremblingStrokeOverTerrain) {
       stroke.emplace_back(x, y, std::sin(0.7 * x) * std::cos(0.9 * y));
     }
     const CutStroke cut(opened, stroke);
-    EXPECT_EQ(cut.told.size(), 2U);
+    EXPECT_EQ(cut.notes.size(), 2U);
     // Ends are fixed, to the bit.
     EXPECT_EQ(cut.smooth.points.front(), cut.drawn.points.front());
     EXPECT_EQ(cut.smooth.points.back(), cut.drawn.points.back());

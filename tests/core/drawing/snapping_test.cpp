@@ -304,11 +304,11 @@ TEST(SnappingToThinWalls, PutsAllPointsOnOneSide) {
     const SnappedCurve snapped = snap(mesh, {false, points, {}});
     for (const SurfacePoint& point : snapped.points)
       EXPECT_NEAR(mesh.position(point).z(), 0, 1e-12);
-    ASSERT_EQ(snapped.told.size(), 1U);
-    EXPECT_NE(snapped.told[0].find(far_below ? "3 of 9 points" : "1 of 9 points"),
+    ASSERT_EQ(snapped.notes.size(), 1U);
+    EXPECT_NE(snapped.notes[0].find(far_below ? "3 of 9 points" : "1 of 9 points"),
               std::string::npos)
-        << snapped.told[0];
-    EXPECT_NE(snapped.told[0].find("the first at (6, 6, -0.06)"), std::string::npos);
+        << snapped.notes[0];
+    EXPECT_NE(snapped.notes[0].find("the first at (6, 6, -0.06)"), std::string::npos);
   }
 }
 
@@ -318,7 +318,7 @@ TEST(SnappingToThinWalls, FollowsACurveAroundTheRim) {
   for (double x = 9; x <= 12; x += 0.5) points.emplace_back(x, 6, 0);
   for (double x = 12; x >= 9; x -= 0.5) points.emplace_back(x, 6, -0.1);
   const SnappedCurve snapped = snap(mesh, {false, points, {}});
-  EXPECT_TRUE(snapped.told.empty());
+  EXPECT_TRUE(snapped.notes.empty());
   EXPECT_NEAR(mesh.position(snapped.points.back()).z(), -0.1, 1e-12);
 }
 
@@ -330,10 +330,10 @@ TEST(SnappingToThinWalls, SaysWhereACurveLeavesTheSurface) {
   std::vector<Point> points;
   for (int x = 4; x <= 8; ++x) points.emplace_back(x, 6, x < 6 ? 0 : -3.1);
   const SnappedCurve snapped = snap(mesh, {false, points, {}});
-  ASSERT_EQ(snapped.told.size(), 1U);
-  EXPECT_NE(snapped.told[0].find("in 1 place where every way over the surface is much longer"),
+  ASSERT_EQ(snapped.notes.size(), 1U);
+  EXPECT_NE(snapped.notes[0].find("in 1 place where every way over the surface is much longer"),
             std::string::npos)
-      << snapped.told[0];
+      << snapped.notes[0];
 }
 
 }  // namespace

@@ -111,8 +111,8 @@ TEST_F(ClickFiles, PointListsOfMarkupsAreRead) {
     const CurveInput read = read_clicks(path("a.mrk.json"), list(type, kThree));
     EXPECT_EQ(test::positions(read), (std::vector<Point>{{1, 2, 3}, {4, 5, 6}})) << type;
     EXPECT_EQ(read.closed, std::string(type) == "ClosedCurve");
-    ASSERT_EQ(read.told.size(), 1U);
-    EXPECT_EQ(read.told[0], "2 of 4 points of a.mrk.json have no position and were left out.");
+    ASSERT_EQ(read.notes.size(), 1U);
+    EXPECT_EQ(read.notes[0], "2 of 4 points of a.mrk.json have no position and were left out.");
   }
   EXPECT_EQ(clicks("a.mrk.json", list("Fiducial", kThree), kInRas).at(0), Point(-1, -2, 3));
 }

@@ -87,7 +87,7 @@ TEST_F(Frames, OfMarkupsAreConvertedToFramesOfMeshes) {
     const std::string member = system.empty() ? "" : "\"coordinateSystem\": \"" + system + "\", ";
     const auto curves = read_curves(path("a.mrk.json"), markup(member), mesh);
     EXPECT_EQ(test::positions(curves.at(0)), turned ? kTurned : kAsIs) << system;
-    EXPECT_EQ(curves[0].told.size(), turned ? 1U : 0U) << system;
+    EXPECT_EQ(curves[0].notes.size(), turned ? 1U : 0U) << system;
   };
   for (const char* lps : {"", "LPS", "1"}) {
     expect(lps, {}, false);
@@ -105,7 +105,7 @@ TEST_F(Frames, OfMarkupsAreConvertedToFramesOfMeshes) {
       path("a.mrk.json"), markup("\"coordinateSystem\": \"LPS\", \"coordinateUnits\": \"cm\", "),
       {LengthUnit::named("mm"), PatientSpace::kRas});
   EXPECT_EQ(test::positions(curves.at(0)).front(), Point(-10, -20, 30));
-  EXPECT_EQ(curves[0].told.at(0),
+  EXPECT_EQ(curves[0].notes.at(0),
             "The positions of a.mrk.json were turned from LPS to RAS (x and y change their sign) "
             "and scaled by 10 from cm to mm.");
 }
@@ -145,7 +145,7 @@ TEST_F(Frames, OfOtherCurveFilesAreKnownByTheirNotes) {
     for (const CoordinateFrame& frame : {CoordinateFrame(), kInLps}) {
       const auto curves = read_curves(path(name), noted, frame);
       EXPECT_EQ(test::positions(curves.at(0)), kTurned) << name;
-      EXPECT_EQ(curves[0].told.size(), 1U) << name;
+      EXPECT_EQ(curves[0].notes.size(), 1U) << name;
     }
   }
 }

@@ -50,13 +50,13 @@ TEST(ReturnedLabels, OfVerticesThatCoverNoFaceAreGivenBack) {
     EXPECT_FALSE(lost[k].covers_faces);
   }
   EXPECT_EQ(returned, drawn);
-  EXPECT_EQ(told_of(lost, false, false, {{9, "motor"}}),
+  EXPECT_EQ(note_on_lost(lost, false, false, {{9, "motor"}}),
             "Labels 7 (1 vertex) and 9 (motor, 1 vertex) cover no face: their vertices keep them");
-  EXPECT_EQ(told_of({lost[0]}, false, true),
+  EXPECT_EQ(note_on_lost({lost[0]}, false, true),
             "Label 7 (1 vertex) covers no face: the new labels of faces do not have it");
   const std::vector<LostLabel> many(7, {3, 2, true});
   EXPECT_EQ(
-      told_of(many, true, true),
+      note_on_lost(many, true, true),
       "Labels 3 (2 faces), 3 (2 faces), 3 (2 faces), 3 (2 faces), 3 (2 faces) and 2 more have "
       "no vertex or no face of their own: their faces keep them");
   // New labels of faces cannot contain the labels of single vertices.

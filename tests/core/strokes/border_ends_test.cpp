@@ -76,11 +76,11 @@ TEST_F(BorderEnds, AStrokeOverBothEdgesEndsExactlyOnThem) {
   EXPECT_FALSE(stroke.may_be_loop);
   const SnappedDrawing drawing = drawing_of({stroke});
   expect_both_ends_at(drawing.curves[0], {0, 10.3, 0}, {20, 10.3, 0});
-  ASSERT_EQ(drawing.told.size(), 2U);
-  EXPECT_EQ(drawing.told[0],
+  ASSERT_EQ(drawing.notes.size(), 2U);
+  EXPECT_EQ(drawing.notes[0],
             "Curve 0 runs over the border of the mesh at its start: 6 points up to 3 mesh units "
             "beyond the border are left out, and the curve begins exactly at the border.");
-  EXPECT_EQ(drawing.told[1],
+  EXPECT_EQ(drawing.notes[1],
             "Curve 0 runs over the border of the mesh at its end: 4 points up to 2 mesh units "
             "beyond the border are left out, and the curve ends exactly at the border.");
 }
@@ -149,11 +149,11 @@ TEST_F(BorderEnds, ClicksBeyondTheBorderStay) {
 TEST_F(BorderEnds, EndsJustShortAreExtendedToTheBoundaryWithASentence) {
   const SnappedDrawing drawing = led(straight({1.5, 10.3, 0}, {18.2, 10.3, 0}));
   expect_both_ends_at(drawing.curves[0], {0, 10.3, 0}, {20, 10.3, 0});
-  ASSERT_EQ(drawing.told.size(), 2U);
-  EXPECT_EQ(drawing.told[0],
+  ASSERT_EQ(drawing.notes.size(), 2U);
+  EXPECT_EQ(drawing.notes[0],
             "The start of curve 0 lies 1.5 mesh units from the border of the mesh; the curve was "
             "extended straight to the border.");
-  EXPECT_EQ(drawing.told[1],
+  EXPECT_EQ(drawing.notes[1],
             "The end of curve 0 lies 1.8 mesh units from the border of the mesh; the curve was "
             "extended straight to the border.");
 }
@@ -164,7 +164,7 @@ TEST_F(BorderEnds, EndsWithinTwoEdgesAreExtended) {
   const SurfaceCurve far = straight({2.4, 10, 0}, {12, 10, 0});
   const SnappedDrawing drawing = led(far);
   EXPECT_EQ(drawing.curves[0].points, far.points);
-  EXPECT_TRUE(drawing.told.empty());
+  EXPECT_TRUE(drawing.notes.empty());
 }
 
 TEST_F(BorderEnds, AShortCurveIsNotDoubled) {

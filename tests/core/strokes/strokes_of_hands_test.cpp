@@ -50,7 +50,7 @@ class StrokesOfHands : public testing::Test {
     input.points = points;
     input.closed = closed;
     const SnappedCurve snapped = snap(opened->mesh(), input);
-    told = snapped.told;
+    notes = snapped.notes;
     drawn = StraightLines(opened->surface()).join(snapped.points, closed);
     smoother.set_curve(drawn);
     return smoother.smooth(1);
@@ -69,7 +69,7 @@ class StrokesOfHands : public testing::Test {
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(100, 40));
   CurveSmoother smoother{opened};
   SurfaceCurve drawn;
-  std::vector<std::string> told;
+  std::vector<std::string> notes;
 };
 
 TEST_F(StrokesOfHands, AreTheSameHoweverTheyAreSampled) {
@@ -188,10 +188,10 @@ TEST_F(StrokesOfHands, LoseTheSpikesOfATracker) {
   std::vector<Point> points = stroke(0.1);
   for (const std::size_t k : {100U, 377U, 612U}) points[k] += Point(3, 9, 5);
   const SmoothingResult result = smoothed(points);
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_NE(told[0].find("3 of 901 points of a curve lie far from the points before and after"),
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("3 of 901 points of a curve lie far from the points before and after"),
             std::string::npos)
-      << told[0];
+      << notes[0];
   EXPECT_LT(apart(result.curve(), ten.curve()), 0.3);
 }
 
