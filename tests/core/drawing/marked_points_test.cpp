@@ -135,7 +135,7 @@ TEST_F(MarkedPointsTest, MarksOfMissingPointsAreRefused) {
   EXPECT_NE(sentence(curve).find("must be 0 or more, not nan"), std::string::npos);
   curve.way_points.clear();
   curve.painted = {9};
-  EXPECT_NE(sentence(curve).find("no point 9 to be painted"), std::string::npos);
+  EXPECT_NE(sentence(curve).find("no point 9 that could be painted"), std::string::npos);
 }
 
 TEST_F(MarkedPointsTest, FewControlPointsFarApartAreWayPoints) {
