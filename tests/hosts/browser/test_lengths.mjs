@@ -168,7 +168,7 @@ export async function editsOfTheOffsetAreUndone() {
   assert.deepEqual(await offsets(page), ['open, right: 10']);
 
   await write(page, 'offset-number', 0);
-  assert.equal(await page.text('trouble-offset'), 'The distance of the offset is more than 0.');
+  assert.equal(await page.text('trouble-offset'), 'The distance of the offset must be more than 0.');
   assert.equal(await number(), '4');
   assert.deepEqual(await page.curves(), ['Curve 1 open, 2 points']);
 }

@@ -65,7 +65,7 @@ export async function aStrokeIsMovedOntoTheCrease() {
 
   // Refused, and shown as it is.
   await snap(page, 2);
-  assert.equal(await page.text('trouble-drawing'), 'The strength of ridges is 0 to 1.');
+  assert.equal(await page.text('trouble-drawing'), 'The strength of ridges must be from 0 to 1.');
   assert.equal(await page.page.$eval('#ridges-number', (box) => box.value), '0');
 }
 

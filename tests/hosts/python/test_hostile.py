@@ -89,7 +89,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         lines = done.stdout.splitlines()
         self.assertEqual(lines[0], "given up")
-        self.assertIn("toy.hostile has never ended its last call", lines[1])
+        self.assertIn("The last call of the plugin toy.hostile has not ended", lines[1])
         self.assertEqual(lines[2], "1 curve")
 
     def test_it_ends_a_program_that_catches_nothing(self):

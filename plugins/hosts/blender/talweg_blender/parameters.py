@@ -15,18 +15,18 @@ SHOWN = ("tau", "slack", "max_deviation", "taus", "slacks", "ridges", "ridge_kin
 #: show.
 _LABELS = {"relax": "Relaxation", "taus": "Taus", "slacks": "Slacks"}
 _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact distance along the surface"),
-            "paper": ("Paper", "The published one, of the approximate distance; has no slack"),
+            "paper": ("Paper", "The published potential, from an approximate distance; has no slack"),
             "auto": ("If They Meet", "A stroke whose end stops a little short of its beginning, or "
                      "runs over it, is a loop"),
             "closed": ("Loops", "Every curve is a loop"),
-            "open": ("Open", "No curve is a loop that is not closed already"),
+            "open": ("Open", "Only curves that are closed already are loops"),
             "both": ("Both", "Ridges and valleys"),
             "convex": ("Ridges", "Edges and crests, which stand out"),
             "concave": ("Valleys", "Creases and fissures")}
 
-_CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
+_CHOICE_TEXTS = {"potential": "The potential that keeps the curve close to the drawing",
                  "ends": "Which open curves become loops",
-                 "ridge_kind": "What attracts the drawing, if its strength is above 0"}
+                 "ridge_kind": "The ridges that attract the drawing, if their strength is above 0"}
 
 #: Parameters that are lengths. Each also has a slider in mean edges, which suits meshes of every size.
 _LENGTHS = ("slack", "max_deviation", "click_distance")

@@ -36,7 +36,7 @@ def note(obj, place, error, operator):
         return str(error)
     _Last.object, _Last.operator = obj.name, operator
     _Last.sentence = str(error)
-    return (f"{error} That can be repaired ({steps}): use Repair for Talweg, or tick "
+    return (f"{error} The mesh can be repaired ({steps}): use Repair for Talweg, or tick "
             "On a repaired copy.")
 
 

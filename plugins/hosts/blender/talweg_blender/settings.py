@@ -33,7 +33,7 @@ def _changed(settings, context):
 
 
 class TALWEG_PG_settings(bpy.types.PropertyGroup):
-    """The values of a curve object. A change of one smooths the drawing of the object again."""
+    """The values of a curve object. A change of a value smooths the drawing of the object again."""
 
 
 def own(changed):
@@ -42,10 +42,10 @@ def own(changed):
     return {
         "thickness": bpy.props.FloatProperty(
             name="Thickness", default=1, min=0, soft_max=4, precision=2, step=10,
-            description="Of the curve object; 1 fits the edges and the size of the mesh", **update),
+            description="Thickness of the curve object; 1 fits the edges and the size of the mesh", **update),
         "colours": bpy.props.EnumProperty(
-            name="Colours", default="PLAIN", description="What the curve is coloured by", **update,
-            items=[("PLAIN", "Plain", "Those of its material"),
+            name="Colours", default="PLAIN", description="The quantity that the curve's colours show", **update,
+            items=[("PLAIN", "Plain", "The colour of its material"),
                    ("DEVIATION", "Deviation", "Distance from what was drawn, along the surface"),
                    ("TURNING", "Turning", "How sharply it turns on the surface")]),
         "repair": bpy.props.BoolProperty(

@@ -32,13 +32,14 @@ std::string defects_in(const host::Results& r) {
       {"indices_out_of_range", "faces with vertices that do not exist"},
       {"non_finite_vertices", "vertices with coordinates that are not finite or too large"},
       {"repeated_vertex_faces", "faces that use a vertex twice"},
-      {"duplicate_faces", "faces that are there twice"},
+      {"duplicate_faces", "faces that repeat another face"},
       {"non_manifold_edges", "edges with more than two faces"},
       {"misoriented_edges", "edges between faces of opposite orientation"},
-      {"non_manifold_vertices", "vertices where surface parts only touch (bow-ties)"},
+      {"non_manifold_vertices",
+       "vertices where parts of the surface touch without a common edge (bow-ties)"},
       {"isolated_vertices", "vertices without a face"},
       {"stray_vertices", "of these, with coordinates that are not finite or too large"},
-      {"duplicate_positions", "vertices at the place of another one"},
+      {"duplicate_positions", "vertices at the position of another vertex"},
       {"zero_area_faces", "faces of zero area"},
       {"needle_faces", "needle faces (an angle below 1 degree)"}};
   std::string text;
@@ -81,7 +82,7 @@ std::string words_of(const host::Results& r) {
 std::string words_of(const editing::MeshArrays& mesh, double mean_edge) {
   return line("faces", grouped(static_cast<double>(mesh.triangles.size()))) +
          line("vertices", grouped(static_cast<double>(mesh.positions.size()))) +
-         line("edge length", number(mean_edge)) + "\nAll else: talweg info.\n";
+         line("edge length", number(mean_edge)) + "\nMore: talweg info.\n";
 }
 
 }  // namespace talweg::browser

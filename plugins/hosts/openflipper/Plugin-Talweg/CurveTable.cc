@@ -30,7 +30,7 @@ CurveTable::CurveTable(QWidget* parent) : QTreeWidget(parent) {
   headerItem()->setToolTip(kLength, tr("Of the smoothed curve, in mesh units."));
   headerItem()->setToolTip(kDeviation,
                            tr("How far result and drawing lie apart, either way, in mesh units."));
-  headerItem()->setToolTip(kTurning, tr("All that the smoothed curve turns, added up."));
+  headerItem()->setToolTip(kTurning, tr("The total turning of the smoothed curve."));
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(20);
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);

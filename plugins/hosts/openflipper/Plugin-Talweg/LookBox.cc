@@ -36,11 +36,11 @@ LookBox::LookBox(QWidget* parent) : QWidget(parent) {
   points_->setToolTip(tr("Hidden points cannot be moved; curves show as before."));
   comb_ = new QCheckBox(tr("Comb"), this);
   comb_->setObjectName("talwegComb");
-  comb_->setToolTip(tr("Teeth across the curves, as long as they are curved there."));
+  comb_->setToolTip(tr("Teeth across the curves; longer teeth mean larger curvature."));
   comb_text_ = text(this, "talwegCombText");
   marks_ = choice(this, "talwegMark",
                   {tr("Mark nothing"), tr("Largest deviation"), tr("Largest curvature")});
-  marks_->setToolTip(tr("Marks where it is largest, and turns the view to it."));
+  marks_->setToolTip(tr("Marks the place of the largest value, and turns the view to it."));
   mark_text_ = text(this, "talwegMarkText");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);

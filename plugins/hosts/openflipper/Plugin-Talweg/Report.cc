@@ -76,7 +76,7 @@ std::vector<ResultRow> result_rows(const Session& session) {
       row(Report::tr("Length"), "length", 1, length,
           Report::tr("Of all curves together, in mesh units.")),
       row(Report::tr("Turning"), "curvature", degree, angle,
-          Report::tr("All that the curves turn, added up.")),
+          Report::tr("The total turning of the curves.")),
       row(Report::tr("Sharpest turn"), "window_turning", degree, angle,
           Report::tr("The most that a curve turns within the length of a mesh edge.")),
       row(Report::tr("Bending"), "bending", 1, curvature_unit(),

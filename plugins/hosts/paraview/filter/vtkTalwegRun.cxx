@@ -39,7 +39,7 @@ void set_parameter(const std::string& word, const talweg_plugin& plugin,
                    talweg::paraview::Session& session) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) {
-    throw std::runtime_error("Parameters: '" + word + "' is not as share=0.1.");
+    throw std::runtime_error("Parameters: '" + word + "' is not of the form NAME=VALUE, such as share=0.1.");
   }
   const std::string id = word.substr(0, equals);
   const std::string value = word.substr(equals + 1);
@@ -50,7 +50,7 @@ void set_parameter(const std::string& word, const talweg_plugin& plugin,
       session.set(id, talweg::paraview::Choice{value});
     } else if (parameter.type <= TALWEG_BOOLEAN) {
       const std::vector<double> numbers = talweg::paraview::numbers(value, parameter.label);
-      if (numbers.size() != 1) throw std::runtime_error("Parameters: " + id + " has no number.");
+      if (numbers.size() != 1) throw std::runtime_error("Parameters: " + id + " needs one number.");
       session.set(id, numbers[0]);
     } else {
       throw std::runtime_error("Parameters: " + id + " is an array, which this filter cannot set.");

@@ -15,14 +15,16 @@ _Call = TypeVar("_Call", bound=Callable[..., Any])
 
 
 def mesh_first(function: _Call) -> _Call:
-    """A decorator: the function also takes (vertices, faces, ...), as before version 0.2, with a warning."""
+    """A decorator: the function also accepts the arguments before version 0.2, (vertices, faces, ...), with a
+    warning."""
 
     @functools.wraps(function)
     def call(*given: Any, **named: Any) -> Any:
         if not _begins_with_arrays(given, named):
             return function(*given, **named)
         warnings.warn(f"talweg.{function.__name__}(vertices, faces, ...) is talweg."
-                      f"{function.__name__}((vertices, faces), ...) now, and goes with the next release.",
+                      f"{function.__name__}((vertices, faces), ...) now. The next release refuses the "
+                      "old form.",
                       DeprecationWarning, stacklevel=2)
         vertices = given[0] if given else named.pop("vertices")
         faces = given[1] if len(given) > 1 else named.pop("faces", None)

@@ -56,7 +56,7 @@ export class MeshWork {
     const done = await this.desk.wait('mesh', 'Setting the unit', engine.setUnit(unit).then(() => true));
     if (!done || store.now.mesh !== mesh) return;
     store.set({ mesh: { ...mesh, unit } });
-    this.desk.tell(unit ? `Lengths are in ${unitName(unit)}.` : 'The unit is what the file says.');
+    this.desk.tell(unit ? `Lengths are in ${unitName(unit)}.` : 'The unit is that of the file.');
   }
 
   /**

@@ -31,7 +31,7 @@ export async function keepForOffline(): Promise<void> {
   try {
     await serviceWorker.register('service_worker.js');
     await serviceWorker.ready;
-    setText('offline-told', 'This browser keeps the page itself: it opens without a net, too.');
+    setText('offline-told', 'This browser has stored the page, which now opens without a network, too.');
     byId('offline-told').hidden = false;
   } catch {
     byId('offline-told').hidden = true;
