@@ -105,7 +105,7 @@ class Cutting {
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
-  CutMesh cut_;  // without lists, which the parts have
+  CutMesh cut_;  // without its lists, which take_apart() has moved to the parts
   MeshParts made_;
   double cut_ms_ = 0;
   std::vector<std::size_t> faces_;     // number of written faces, per part
@@ -125,7 +125,7 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
   cut_.lists.single_precision = read_.lists.single_precision;
   made_ = take_apart(mesh_, std::move(cut_), attributes_, part_options(o_), progress_);
   for (MeshPart& part : made_.parts) part.lists.space = read_.lists.space;
-  attributes_ = {};  // the parts have the attributes
+  attributes_ = {};  // the parts have copies
   cut_ms_ = watch.ms();
   if (!made_.left_out.empty()) {
     left_out_.push_back(fmt::format("Not carried over: {}.", fmt::join(made_.left_out, ", ")));
@@ -204,7 +204,8 @@ std::string Cutting::summary() const {
                   drawing_.curves.size(), cut_.cut_faces, cut_.new_vertices, cut_.crossings);
   if (cut_.merged > 0) {
     text += fmt::format(
-        "{} points lay at a vertex or an edge but for rounding; moved by {:.3g} at most\n",
+        "{} points lay at a vertex or on an edge up to rounding, and were moved there by {:.3g} at "
+        "most\n",
         cut_.merged, cut_.largest_move);
   }
   for (const std::string& change : read_.changes) text += change + "\n";
@@ -266,7 +267,7 @@ void check_files(const CutCommandOptions& o) {
     files.writes_numbered("-o", split_prefix(o), ending, check_mesh_name);
   } else if (o.split) {
     throw Error(ErrorCode::kBadUsage,
-                "--split writes several files, and the standard output is one.");
+                "--split writes several files, but the standard output is a single file.");
   } else {
     files.writes("-o", o.output, check_mesh_name);
   }
@@ -298,7 +299,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                       "along the curve from outside");
   command->add_flag(
       "--cap{auto}", o->cap,
-      "Close the openings that the cut leaves: auto (planar where the rim is, else of least area; "
+      "Close the openings that the cut leaves: auto (planar for planar rims, else of least area; "
       "the default), planar or least-area, after an equals sign; never through the piece");
   command->add_flag("--tag", o->tag,
                     "Write the curves' edges, too: element edge of a .ply, l of an .obj, "

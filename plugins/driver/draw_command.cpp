@@ -89,7 +89,8 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
   if (!moved.empty()) clicks.told.push_back(moved);
   clicks.told.insert(clicks.told.end(), snapped.told.begin(), snapped.told.end());
   if (snapped.merged > 0) {
-    clicks.told.push_back(fmt::format("{} clicks lie where the one before lies.", snapped.merged));
+    clicks.told.push_back(
+        fmt::format("{} clicks lie at the same place as the click before.", snapped.merged));
   }
   clicks.points = std::move(snapped.points);
   if (map != nullptr) {
@@ -183,7 +184,8 @@ void tell_strokes(const Options& options) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
   if (names.empty() || options.points != "exact" || !options.written.resample.empty()) return;
-  std::fprintf(text_stream(), "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
+  std::fprintf(text_stream(),
+               "%s: a stroke, because the format has no way-points; .json, .vtp and .vtk have.\n",
                names.c_str());
 }
 
@@ -242,8 +244,8 @@ Command add_draw(CLI::App& app, const GlobalOptions& global) {
           ->delimiter(',');
   command
       ->add_option("--clicks", options->clicks,
-                   "Instead: points in space, each put on the nearest point of the mesh, of a list "
-                   "or curve of 3D Slicer: .fcsv or .mrk.json")
+                   "Instead of --through: the points of a list or curve of 3D Slicer (.fcsv or "
+                   ".mrk.json), each moved to the nearest point of the mesh")
       ->excludes(through);
   command->add_flag("--closed", options->closed, "Go back to the first vertex");
   CLI::Option* straight = command->add_flag(

@@ -117,7 +117,7 @@ void FilePlan::writes_numbered(const std::string& what, const std::string& prefi
                                const std::string& ending, NameCheck name_check) {
   if (is_standard_output(prefix)) {
     throw Error(ErrorCode::kBadUsage,
-                what + " names several files here, and the standard output is one.");
+                what + " writes several files here, but the standard output is a single file.");
   }
   const fs::path full(prefix + ending);
   const fs::path folder = full.has_parent_path() ? full.parent_path() : fs::path(".");
@@ -189,10 +189,11 @@ void FilePlan::check_numbered() const {
 void FilePlan::check_target(const File& output, TriedNames& tried) const {
   if (output.name_check != nullptr) {
     if (output.path == "-") {
-      throw Error(ErrorCode::kBadUsage,
-                  fmt::format("{}{} - is the standard output, whose format an ending has to tell, "
-                              "such as {} -.ply.",
-                              in_list(output.list, output.place), output.what, output.what));
+      throw Error(
+          ErrorCode::kBadUsage,
+          fmt::format("{}{} - writes to the standard output without a format; add the ending "
+                      "of a format, such as {} -.ply.",
+                      in_list(output.list, output.place), output.what, output.what));
     }
     output.name_check(output.path);
   }

@@ -36,15 +36,15 @@ void for_each_defect(const MeshInspection& m, Visit visit) {
   visit("vertices with coordinates that are not finite or too large: vertex", m.non_finite_vertices,
         true);
   visit("faces that use a vertex twice: face", m.repeated_vertex_faces, true);
-  visit("faces that are there twice: face", m.duplicate_faces, true);
+  visit("faces that repeat another face: face", m.duplicate_faces, true);
   visit("edges with more than two faces: vertices", m.non_manifold_edges, true);
   visit("edges between faces of opposite orientation: vertices", m.misoriented_edges, true);
-  visit("vertices where surface parts only touch (bow-ties): vertex", m.non_manifold_vertices,
-        true);
+  visit("vertices where parts of the surface touch without a common edge (bow-ties): vertex",
+        m.non_manifold_vertices, true);
   visit("vertices without a face: vertex", m.isolated_vertices, false);
   visit("of these, with coordinates that are not finite or too large: vertex", m.stray_vertices,
         false);
-  visit("vertices at the place of another one: vertex", m.duplicate_positions, false);
+  visit("vertices at the position of another vertex: vertex", m.duplicate_positions, false);
   visit("faces of zero area: face", m.zero_area_faces, false);
   visit("needle faces (an angle below 1 degree): face", m.needle_faces, false);
 }

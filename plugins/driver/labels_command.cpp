@@ -134,7 +134,7 @@ std::string bytes_of(const LabelsOptions& o, const LabelOutput& output) {
 std::string summary_of(const LabelNetwork& network, double ms) {
   const SmoothingReport& t = network.total;
   std::string text =
-      fmt::format("{} regions, {} borders, {} junctions; {} borders held tighter, {} as drawn\n",
+      fmt::format("{} regions, {} borders, {} junctions; {} borders smoothed less, {} not at all\n",
                   network.regions.size(), network.borders.size(), network.junctions,
                   network.tightened, network.as_drawn);
   if (network.moved > 0) {
@@ -290,7 +290,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--labels-property", o->property,
                       "Which property of LABELS (default: the first of label, labels, segment, "
                       "region, class, scalar_label)");
-  command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
+  command->add_option("--tau", o->network.tau, "Higher values keep closer to the labels' borders")
       ->capture_default_str();
   command->add_option(
       "--slack", o->network.slack,
@@ -301,8 +301,8 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command
       ->add_option(
           "--junctions", o->junctions,
-          "fixed: where the labels have them; free: as far as the slack or 0.75 D to where "
-          "the borders balance")
+          "fixed: where the labels have them; free: moved to where the borders balance, by at "
+          "most the slack or 0.75 D")
       ->check(CLI::IsMember({"fixed", "free"}))
       ->capture_default_str();
   command
@@ -314,7 +314,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--budget", o->budget,
                       "Seconds, reading included; when they are used up, the best so far is the "
                       "result");
-  command->add_option("--budget-work", o->budget_work, "The same in counted steps")
+  command->add_option("--budget-work", o->budget_work, "A budget in counted steps of work")
       ->type_name("INT");
   command->add_option("-o,--output", o->outputs,
                       "The borders as curves; the ending chooses the format; may be given several "
@@ -325,13 +325,14 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       "chooses the format: .txt .csv .npy .dpv .annot .label .gii .ply .vtk .vtp");
   command
       ->add_option("--labels-per", o->labels_per,
-                   "What the new labels are of: vertex or face (default: as LABELS came in)")
+                   "The elements of the new labels: vertex or face (default: those of LABELS)")
       ->check(CLI::IsMember({"vertex", "face"}))
       ->needs(labels_out);
   CLI::Option* cut = command->add_option(
       "--cut", o->cut,
       "The mesh with the borders as edges: .ply (with the faces' labels), .obj, .off");
-  command->add_option("--cut-labels", o->cut_labels, "The labels of its faces, exact")->needs(cut);
+  command->add_option("--cut-labels", o->cut_labels, "The exact labels of the faces of --cut")
+      ->needs(cut);
   command->add_option("--report", o->report, "What was done and measured, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);

@@ -32,7 +32,7 @@ int fail(int code, const std::string& message) {
 int printed(int code) {
   std::cout.flush();
   if (std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  return fail(kBadInput, "What was to be printed could not be written to the standard output.");
+  return fail(kBadInput, "The text output could not be written to the standard output.");
 }
 
 /// All options, with their dashes, of a command and of the commands above it.
@@ -74,7 +74,7 @@ int run(const std::vector<std::string>& words) {
       ->check(CLI::Range(1U, 1024U))
       ->capture_default_str();
   app.add_option("--seed", global.seed,
-                 "Seed of everything random; nothing in draw, smooth, measure and info is")
+                 "Seed of random numbers; draw, smooth, measure and info use none")
       ->capture_default_str();
 
   std::vector<std::pair<const CLI::App*, Command>> commands;
@@ -98,7 +98,7 @@ int run(const std::vector<std::string>& words) {
   app.allow_extras();  // unknown arguments get a message with a suggestion
   const std::vector<std::string> arguments(words.begin() + 1, words.end());
   check_values(app, arguments);
-  // An unknown word is reported before the missing word that it was meant to be.
+  // An unknown argument is reported before a missing one: it is often the missing one, misspelt.
   const auto check_all_taken = [&app] {
     const bool with_subcommands = !app.got_subcommand("run");  // `run` parses its own words
     for (const std::string& extra : app.remaining(with_subcommands)) refuse_unexpected(app, extra);

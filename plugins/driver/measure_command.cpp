@@ -71,12 +71,12 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
                    "numbers) or .json")
       ->required();
   command->add_option("other", o->other,
-                      "Curves to compare with: as many are compared one by one in their order, "
-                      "more or fewer all together");
+                      "Curves to compare with: equally many are compared in pairs, in their order, "
+                      "otherwise all with all");
   command->add_option(
       "--edge", o->measurement.edge,
       "Length of the windows in which turning is measured, mesh units; by default the "
-      "mean edge near each curve. To compare curves give all the same");
+      "mean edge near each curve. Set the same length for curves that you compare");
   command->add_option("--report", o->report, "What was measured, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);

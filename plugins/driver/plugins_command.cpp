@@ -28,7 +28,7 @@ Command add_plugins(CLI::App& app, const GlobalOptions& global) {
   CLI::App* command =
       app.add_subcommand("plugins",
                          "List the plugins: id and label, with --verbose also version "
-                         "and file; on stderr what was refused, and why");
+                         "and file; refused files, with the reason, on stderr");
   static_cast<void>(command);
   return [&global] { return list_plugins(global); };
 }

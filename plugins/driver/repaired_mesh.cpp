@@ -83,8 +83,11 @@ ReadMesh read_and_repair(const std::string& path, const std::string& list,
   std::size_t differing = 0;
   attributes = of_repaired(attributes, *mesh.map, differing);
   if (differing > 0) {
-    mesh.changes.push_back(fmt::format(
-        "{} vertices were welded onto others with other attributes, which stay.", differing));
+    mesh.changes.push_back(
+        fmt::format("{} vertices were welded onto vertices with different attributes; their own "
+                    "attributes were "
+                    "lost.",
+                    differing));
   }
   return mesh;
 }

@@ -119,8 +119,8 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--summary", o->many.summary,
                       "All reports as one table (CSV), one line per curve, failures too");
   command->add_flag("--resume", o->many.resume,
-                    "Keep the outputs of runs that --summary, or what a killed program left of it, "
-                    "says were made from the same files, options and version; make the others");
+                    "Skip runs whose outputs, by --summary or by the journal that a killed program "
+                    "left, were made from the same files, options and version; do the others");
   return [o, &global] { return run(*o, global); };
 }
 

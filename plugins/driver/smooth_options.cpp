@@ -37,10 +37,11 @@ void add_inputs(CLI::App& app, SmoothOptions& o) {
                "another");
   add(app, "pin", o.pins)->delimiter(',');
   add(app, "corner", o.corners)->delimiter(',');
-  app.add_option("--points", o.points,
-                 "What the drawing's points are. given: what the files say; exact: way-points, "
-                 "between which the result is free; rough: strokes; exact=12,845: these vertices "
-                 "are the way-points")
+  app.add_option(
+         "--points", o.points,
+         "The meaning of the drawing's points. given: by the files' marks; exact: way-points, "
+         "between which the result is free; rough: strokes; exact=12,845: these vertices "
+         "are the way-points")
       ->capture_default_str();
   add(app, "tolerance", o.tolerance)->capture_default_str();
   add(app, "click_distance", o.click_distance);
@@ -172,7 +173,7 @@ void check_lists(const SmoothOptions& options, std::size_t curves) {
     if (values <= 1 || values == curves) return;
     throw Error(
         ErrorCode::kBadUsage,
-        fmt::format("{} has {} values, and the drawing {} curve{}: give one, or one for each "
+        fmt::format("{} has {} values, but the drawing has {} curve{}: give one, or one for each "
                     "curve.",
                     name, values, curves, curves == 1 ? "" : "s"));
   };

@@ -47,9 +47,10 @@ EvenPoints even_points(const std::string& text, const CoordinateFrame& frame) {
 }  // namespace
 
 void add_point_options(CLI::App& app, WrittenPoints& points) {
-  app.add_option("--resample", points.resample,
-                 "Write so many points at equal steps (50), or points so far apart (2.5 mesh units "
-                 "or 2mm), instead of the curve's own");
+  app.add_option(
+      "--resample", points.resample,
+      "Write points at equal steps: a number of points (50), or a spacing (2.5 mesh units "
+      "or 2mm), instead of the curve's own");
   app.add_flag("--normals", points.normals,
                "Write the surface's normal at each point, too: .vtp, .vtk, .ply, .json, and as "
                "orientation .mrk.json");

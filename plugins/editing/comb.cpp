@@ -117,7 +117,7 @@ std::vector<Tooth> comb_of(const MeshArrays& mesh, const host::Curve& curve, dou
   const auto turns = std::find_if(curve.fields.begin(), curve.fields.end(),
                                   [](const host::Field& f) { return f.name == "curvature"; });
   if (turns == curve.fields.end()) throw Error("The curvature of the curve is not known.");
-  if (!(spacing > 0)) throw Error("The spacing of a comb is more than 0.");
+  if (!(spacing > 0)) throw Error("The spacing of a comb must be more than 0.");
   const Line line(mesh, curve);
   std::vector<Tooth> teeth;
   if (!(line.length() > 0)) return teeth;

@@ -36,7 +36,7 @@ bool has_way_points(const Curve& curve) {
 
 void require_bound(double value, bool zero, const char* what) {
   if (std::isfinite(value) && (zero ? value >= 0 : value > 0)) return;
-  throw Error(std::string(what) + (zero ? " is 0 or more." : " is more than 0."));
+  throw Error(std::string(what) + (zero ? " must be 0 or more." : " must be more than 0."));
 }
 
 void require(const Settings& settings) {
@@ -44,7 +44,7 @@ void require(const Settings& settings) {
   if (settings.slack) require_bound(*settings.slack, true, "The slack");
   if (settings.click_distance) require_bound(*settings.click_distance, true, "The click distance");
   if (!(settings.ridges >= 0 && settings.ridges <= 1)) {
-    throw Error("The strength of ridges is 0 to 1.");
+    throw Error("The strength of ridges must be from 0 to 1.");
   }
   if (settings.max_deviation) {
     require_bound(*settings.max_deviation, false, "The largest deviation");

@@ -180,7 +180,7 @@ class OpenMeshInstance {
     }
     bad(TALWEG_BAD_USAGE, "The mesh has " + std::to_string(now.vertices.size()) + " vertices and " +
                               std::to_string(now.faces.size()) +
-                              " faces, and the one that was set " +
+                              " faces, but the mesh that was set has " +
                               std::to_string(numbers_.vertices.size()) + " and " +
                               std::to_string(numbers_.faces.size()) + ".");
   }
@@ -189,13 +189,13 @@ class OpenMeshInstance {
     const std::uint32_t number = numbers_.vertices.number(v);
     if (number != kNone) return number;
     bad(TALWEG_BAD_CURVE, where + " has the vertex handle " + std::to_string(v.idx()) +
-                              ", and the mesh no such vertex, or a deleted one.");
+                              ", but this vertex of the mesh does not exist or is deleted.");
   }
   [[nodiscard]] std::uint32_t number(OpenMesh::FaceHandle f, const std::string& where) const {
     const std::uint32_t number = numbers_.faces.number(f);
     if (number != kNone) return number;
     bad(TALWEG_BAD_CURVE, where + " has the face handle " + std::to_string(f.idx()) +
-                              ", and the mesh no such face, or a deleted one.");
+                              ", but this face of the mesh does not exist or is deleted.");
   }
 
   /// A curve by vertices if all points have a vertex; otherwise by faces.

@@ -9,14 +9,15 @@ std::vector<talweg_parameter> budget_parameters() {
   constexpr std::uint32_t kFlags = TALWEG_OPTIONAL | TALWEG_ADVANCED;
   return {
       plugin::number("budget", "Budget", "s", 10, {0, HUGE_VAL, 0, 60},
-                     "What a run may take. When it is used up, what only gets better with time "
-                     "(fairing, the search for the largest deviation, moving junctions, measuring) "
-                     "ends with the best it has, and the report says what holds. By default no "
-                     "limit.",
+                     "The time that a run may take. When the time is used up, the stages that "
+                     "improve a result step by step (fairing, the search for the largest "
+                     "deviation, moving junctions, measuring) end with their best result so far, "
+                     "and the report's warnings say what is known of it. By default no limit.",
                      TALWEG_STAGE_RUN, kFlags | TALWEG_OPEN_MINIMUM),
       plugin::integer("budget_work", "Budget of work", 1e9, {1, 1e15, 1e6, 1e10},
-                      "A budget in counted steps of about 0.1 microseconds: the same result on "
-                      "every machine. By default no limit.",
+                      "The work that a run may do, in steps of about 0.1 microseconds. Unlike a "
+                      "limit of time it gives the same result on every machine. By default no "
+                      "limit.",
                       TALWEG_STAGE_RUN, kFlags),
   };
 }

@@ -14,7 +14,7 @@ talweg_parameter ends_choice(std::uint32_t stage) {
   return plugin::choice(
       "ends", "Ends", "auto", kEnds, kEndLabels,
       "auto: a stroke whose end stops a little short of its beginning, or runs over it, is a loop; "
-      "closed: every curve is; open: none that does not say it.",
+      "closed: every curve is a loop; open: only curves that are given as closed are loops.",
       stage);
 }
 

@@ -14,11 +14,12 @@ constexpr const char* kKindLabels[] = {"Ridges and valleys", "Ridges", "Valleys"
 std::vector<talweg_parameter> ridge_choice(std::uint32_t stage) {
   using plugin::choice, plugin::number;
   return {
-      number("ridges", "Snap to ridges", "", 0, {0, 1, 0, 1},
-             "How strongly ridges, creases and valleys beside the drawing attract it; clicks move "
-             "along, pins stay. 0: not at all; at 1 the surface must turn by 10 degrees, at 0.5 by "
-             "20.",
-             stage),
+      number(
+          "ridges", "Snap to ridges", "", 0, {0, 1, 0, 1},
+          "How strongly ridges, creases and valleys beside the drawing attract it; clicks move "
+          "with it, pins stay. 0: not at all; at 1 the surface must turn by 10 degrees, at 0.5 by "
+          "20.",
+          stage),
       choice("ridge_kind", "Kind of ridges", "both", kKinds, kKindLabels,
              "convex: ridges, which stand out; concave: valleys; both.", stage),
       number("ridge_band", "Band of ridges", "mesh units", 0, {0, HUGE_VAL, 0, 10},

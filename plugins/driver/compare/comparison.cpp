@@ -61,7 +61,7 @@ std::string change_of_kind(const SurfaceMesh& mesh, std::span<const SurfaceCurve
     return fmt::format("touches itself {} times", after.contacts - before.contacts);
   }
   if (after.pieces != before.pieces && after.pieces != before.bare && after.bare != before.bare) {
-    return "parts the mesh otherwise";
+    return "separates the mesh differently";
   }
   return {};
 }
@@ -179,7 +179,7 @@ class MethodRuns {
       curves.push_back({snapped.closed, std::move(snapped.points)});
     }
     if (curves.empty()) {
-      run.refusal = "No curve is left.";
+      run.refusal = "The method returned no curve.";
       return;
     }
     run.numbers = numbers_of(mesh_, curves, comparison_.edge);

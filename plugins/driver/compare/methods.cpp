@@ -82,8 +82,8 @@ std::vector<Method> methods_of(const std::string& list) {
       for (const Method& m : known_methods()) all += (all.empty() ? "" : ", ") + m.name;
       throw Error(
           ErrorCode::kBadUsage,
-          fmt::format("There is no method \"{}\": there are {}, and every plugin by its id.", name,
-                      all));
+          fmt::format("There is no method \"{}\". The methods are {}, and any plugin by its id.",
+                      name, all));
     }
   }
   return chosen;

@@ -30,10 +30,10 @@ class Bipartition : public MethodWorkspace {
   static talweg_plugin about() {
     return about_curves(
         "talweg.bipartition", "Heat-flow relaxation of a bipartition (Livesu 2018)",
-        "Another method, to compare with talweg.smooth: the curves part the mesh in two sides; "
-        "heat flows from their border, the directions of its flow are smoothed, and the zero set "
-        "of the function that fits them is the result. Only loops that enclose something, and "
-        "curves from boundary to boundary.");
+        "Another method, to compare with talweg.smooth: the curves separate the mesh into two "
+        "sides; heat flows from their border, the directions of the flow are smoothed, and the "
+        "result is the zero set of the function whose gradient fits the directions best. Takes "
+        "only loops that enclose something, and curves from boundary to boundary.");
   }
   static std::vector<talweg_parameter> parameters() {
     using plugin::number;
@@ -41,17 +41,18 @@ class Bipartition : public MethodWorkspace {
         {number("heat_time", "Heat time", "squared mean edge lengths", 1, {1e-3, 1e6, 0.1, 100},
                 "How long heat flows from the border.", TALWEG_STAGE_RUN, TALWEG_LOGARITHMIC),
          plugin::integer("iterations", "Smoothing passes", 5, {0, 10000, 0, 100},
-                         "Over the directions of the flow: more is smoother."),
+                         "How often the directions of the flow are averaged with their neighbours: "
+                         "more passes make the result smoother."),
          number("anchor", "Anchor", "", 0.1, {1e-6, 1e6, 1e-3, 10},
                 "How strongly the function is held at 0 on the border.", TALWEG_STAGE_RUN,
                 TALWEG_LOGARITHMIC),
          plugin::choice("face_weights", "Weights of the faces", "area", kWeights, kWeightLabels,
-                        "How faces count in the fit. All the same: as in the program that the "
-                        "method's author published.",
+                        "The weight of each face in the fit. The program that the method's author "
+                        "published gives all faces the same weight.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          plugin::boolean("guard", "Guard", true,
-                         "Faces whose three corners are sources have no gradient: let them take "
-                         "the directions of their neighbours before smoothing.",
+                         "Give faces whose three corners are sources, and which therefore have no "
+                         "gradient, the directions of their neighbours before smoothing.",
                          TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          deviation_choice()});
   }
@@ -107,7 +108,8 @@ class Bipartition : public MethodWorkspace {
           strays, strays > 1 ? "s" : "", length, strays > 1 ? "" : "s"));
     }
     if (!drawing().pins.empty()) {
-      warnings.emplace_back("This method keeps no pinned points.");
+      warnings.emplace_back(
+          "This method ignores pins: the result need not pass the pinned points.");
     }
     return warnings;
   }

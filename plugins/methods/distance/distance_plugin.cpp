@@ -50,7 +50,8 @@ class Distance : public SmootherWorkspace {
                 TALWEG_STAGE_CURVES),
          number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "Steepness of the potential."),
          number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-                "Within which the corridor is flat. By default that of talweg.smooth.",
+                "The distance within which the corridor is flat. By default the slack of "
+                "talweg.smooth.",
                 TALWEG_STAGE_RUN, TALWEG_OPTIONAL),
          number("heat_time", "Heat time", "squared mean edge lengths", 10, {1e-3, 1e6, 1, 100},
                 "Smoothing of the paper's distance.", TALWEG_STAGE_CURVES,
@@ -134,7 +135,8 @@ class Distance : public SmootherWorkspace {
     return values;
   }
 
-  /// The height of the lift; the direction of its phase does not matter.
+  /// The norm of the corridor's two-component lift at each vertex. The norm does not depend on the
+  /// lift's phase.
   [[nodiscard]] std::vector<double> corridor_potential(const plugin::Parameters& parameters) const {
     std::vector<Corridor::Valley> valleys;
     for (std::size_t c = 0; c < drawing().curves.size(); ++c) {

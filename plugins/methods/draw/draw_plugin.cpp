@@ -42,15 +42,15 @@ class Draw : public Workspace {
   static std::vector<talweg_parameter> parameters() {
     std::vector<talweg_parameter> all = {
         plugin::choice("way", "Way", "auto", kWays, kWayLabels,
-                       "Between the points. straight: over the faces, where legs may cross; edges: "
-                       "along edges of the mesh, never through itself; auto: straight between "
-                       "way-points, along edges in a stroke.",
+                       "How successive points are joined. straight: by straight lines over the "
+                       "faces, which may cross; edges: along edges of the mesh, never through "
+                       "itself; auto: straight between way-points, along edges in a stroke.",
                        TALWEG_STAGE_RUN),
         plugin::boolean("straight", "Straight", false, "The same as way = straight.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED),
         plugin::choice("points", "Points", "exact", kPoints, kPointLabels,
-                       "What the given points are in the drawn curve. exact: way-points, "
-                       "unless the given curve says what they are; rough: a stroke.",
+                       "The meaning of the given points. exact: way-points, unless the given "
+                       "curve has marks for its points; rough: a stroke.",
                        TALWEG_STAGE_RUN),
         plugin::boolean(
             "preview", "Preview", false,
@@ -65,15 +65,16 @@ class Draw : public Workspace {
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
-    return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
-                   "One for each given curve, in their order."),
-            output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
-                   "1 at the points that were given, 0 at those that join them."),
-            output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
-                   "At way-points their tolerance, -1 where nothing is said, -2 at painted points; "
-                   "always given with exact points, never with rough ones."),
-            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                   "Points and length of each curve and in total.")};
+    return {
+        output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
+               "One for each given curve, in their order."),
+        output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
+               "1 at the given points, 0 at the points that were added between them."),
+        output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
+               "The tolerance at way-points, -1 at points without a mark, -2 at painted points. "
+               "Always a result if points is exact, never if points is rough."),
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+               "Points and length of each curve and in total.")};
   }
 
   void put(const std::vector<CurveInput>& curves) override {

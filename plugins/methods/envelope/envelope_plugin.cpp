@@ -35,11 +35,12 @@ class Envelope : public MethodWorkspace {
          plugin::integer("iterations", "Most iterations", 2000, {1, 1e6, 1, 10000},
                          "Rounds in which every point moves once."),
          plugin::number("weight", "Weight", "", 1, {0, 1, 0.1, 1},
-                        "How much of the way to its best place a point goes in a round.",
+                        "The fraction of the way to its best place that a point moves in a round.",
                         TALWEG_STAGE_RUN, TALWEG_ADVANCED | TALWEG_OPEN_MINIMUM),
-         plugin::number("tolerance", "Tolerance", "", 1e-6, {0, 1, 1e-8, 1e-3},
-                        "Stop when a round shortens the curves by a smaller part.",
-                        TALWEG_STAGE_RUN, TALWEG_ADVANCED),
+         plugin::number(
+             "tolerance", "Tolerance", "", 1e-6, {0, 1, 1e-8, 1e-3},
+             "Stop when a round shortens the curves by a smaller fraction of their length.",
+             TALWEG_STAGE_RUN, TALWEG_ADVANCED),
          deviation_choice()});
   }
 

@@ -1,4 +1,5 @@
-// talweg.geodesic: the straight path or loop that a drawing becomes when nothing holds it.
+// talweg.geodesic: straightens a drawing into a geodesic path or a closed geodesic, without a
+// potential that keeps the result near the drawing.
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,12 +56,13 @@ class Geodesic : public SmootherWorkspace {
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
-    return {output(TALWEG_OUTPUT_CURVES, "curves", "Geodesics", "",
-                   "One for each given curve, in their order."),
-            output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
-                   "By how much the curve turns at the point; 0 but at pins and saddles."),
-            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                   "Lengths before and after, of each curve and in total.")};
+    return {
+        output(TALWEG_OUTPUT_CURVES, "curves", "Geodesics", "",
+               "One for each given curve, in their order."),
+        output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
+               "By how much the curve turns at the point; 0 except at pins and saddle vertices."),
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+               "Lengths before and after, of each curve and in total.")};
   }
 
   void put(const std::vector<CurveInput>& inputs) override {

@@ -26,11 +26,12 @@ class Measure : public Workspace {
     return with_repair(
         {plugin::integer(
              "others", "Curves to compare with", 0, {0, 4294967294.0, 0, 16},
-             "The number of curves at the end of the list that the curves before are compared "
-             "with: one by one in their order if both are as many, else all together."),
+             "The last curves of the list, as many as this number, are the curves that all curves "
+             "before them are compared with. Equally many curves are compared in pairs, in their "
+             "order; otherwise all are compared with all."),
          plugin::number("edge", "Edge length", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "Length of the windows in which turning is measured. By default the mean "
-                        "edge near each curve; to compare curves give all the same.",
+                        "edge near each curve. Set the same length for curves that you compare.",
                         TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM)});
   }
   static std::vector<talweg_output> outputs() {

@@ -122,7 +122,7 @@ TEST_F(CompareCommand, AMethodMayRefuseAndTheOthersGoOn) {
   EXPECT_FALSE(all["runs"][0].contains("refused"));
   EXPECT_NE(all["runs"][1]["refused"].get<std::string>().find("There is no plugin example.none"),
             std::string::npos);
-  EXPECT_EQ(all["runs"][2]["refused"], "No curve is left.");
+  EXPECT_EQ(all["runs"][2]["refused"], "The method returned no curve.");
 }
 
 TEST_F(CompareCommand, BadUse) {

@@ -94,7 +94,7 @@ TEST(Curves, HaveATauOfTheirOwn) {
   editor.history().redo();
   editor.set_curve_tau(1, {});
   EXPECT_EQ(stage_between(before, editor.drawing()), Stage::kNothing);
-  EXPECT_EQ(refusal([&] { editor.set_curve_tau(0, -1); }), "Tau is 0 or more.");
+  EXPECT_EQ(refusal([&] { editor.set_curve_tau(0, -1); }), "Tau must be 0 or more.");
   EXPECT_EQ(refusal([&] { editor.set_curve_tau(5, 1); }),
             "There is no curve 5; the drawing has 3.");
 }
@@ -116,7 +116,7 @@ TEST(Curves, HaveAToleranceOfTheirOwn) {
   editor.set_curve_tolerance(3, {});
   EXPECT_EQ(host_curves(editor.drawing()).at(3).exact, (std::vector<double>{0, 0}));
   EXPECT_EQ(refusal([&] { editor.set_curve_tolerance(0, std::nan("")); }),
-            "The tolerance is 0 or more.");
+            "The tolerance must be 0 or more.");
 }
 
 TEST(Curves, ArePinnedAsAWhole) {

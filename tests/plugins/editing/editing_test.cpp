@@ -155,10 +155,10 @@ TEST(Editor, RefusesWithASentenceAndChangesNothing) {
             }),
             "First end the curve that is being drawn.");
   EXPECT_EQ(refusal([&] { editor.move_point(0, 7, at(1)); }), "Curve 0 has no point 7; it has 2.");
-  EXPECT_EQ(refusal([&] { editor.set_tau(-1); }), "Tau is 0 or more.");
-  EXPECT_EQ(refusal([&] { editor.set_tau(std::nan("")); }), "Tau is 0 or more.");
+  EXPECT_EQ(refusal([&] { editor.set_tau(-1); }), "Tau must be 0 or more.");
+  EXPECT_EQ(refusal([&] { editor.set_tau(std::nan("")); }), "Tau must be 0 or more.");
   EXPECT_EQ(refusal([&] { editor.set_max_deviation(0.0); }),
-            "The largest deviation is more than 0.");
+            "The largest deviation must be more than 0.");
   EXPECT_EQ(editor.drawing().curves.at(0)->points.size(), 2U);
   EXPECT_EQ(editor.history().undo_name(), "Add point");
 }
@@ -188,7 +188,7 @@ TEST(Editor, TheSettingsItBeginsWithAreNoStep) {
   EXPECT_EQ(editor.drawing().settings.tau, 3.5);
   EXPECT_EQ(editor.drawing().settings.slack, 0.25);
   EXPECT_FALSE(editor.history().can_undo());
-  EXPECT_EQ(refusal([] { Editor wrong({-1, {}, {}}); }), "Tau is 0 or more.");
+  EXPECT_EQ(refusal([] { Editor wrong({-1, {}, {}}); }), "Tau must be 0 or more.");
 }
 
 TEST(Editor, ThePapersMethodIsAStepThatCanBeUndone) {
@@ -207,7 +207,8 @@ TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
   editor.set_ends(editing::Ends::kOpen);
   editor.set_click_distance(0.5);
   EXPECT_EQ(editor.history().undo_name(), "Click distance");
-  EXPECT_EQ(refusal([&] { editor.set_click_distance(-1.0); }), "The click distance is 0 or more.");
+  EXPECT_EQ(refusal([&] { editor.set_click_distance(-1.0); }),
+            "The click distance must be 0 or more.");
   editor.history().undo();
   EXPECT_EQ(editor.drawing().settings.click_distance, std::nullopt);
   EXPECT_EQ(editor.drawing().settings.ends, editing::Ends::kOpen);
@@ -216,7 +217,8 @@ TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
   }
   editor.set_ridges(0.7);
   EXPECT_EQ(editor.history().undo_name(), "Snap to ridges");
-  EXPECT_EQ(refusal([&] { editor.set_ridges(1.5); }), "The strength of ridges is 0 to 1.");
+  EXPECT_EQ(refusal([&] { editor.set_ridges(1.5); }),
+            "The strength of ridges must be from 0 to 1.");
   EXPECT_EQ(editor.drawing().settings.ridges, 0.7);
   for (const auto kind :
        {editing::RidgeKind::kBoth, editing::RidgeKind::kConvex, editing::RidgeKind::kConcave}) {
@@ -240,7 +242,7 @@ TEST(Editor, TheOffsetIsAStepThatSmoothsNothing) {
   EXPECT_EQ(refusal([&] {
               editor.set_offset({true, {}, 0});
             }),
-            "The distance of the offset is more than 0.");
+            "The distance of the offset must be more than 0.");
   editor.history().begin_gesture("Distance");  // a slider that is held
   for (const double distance : {3.0, 3.5, 4.0}) {
     editor.set_offset({true, 1U, distance, "left", "none"});

@@ -165,11 +165,13 @@ TEST_F(OpenMeshHost, DeletedElementsAreSkippedAndHandlesStayValid) {
   EXPECT_EQ(sentence_of([&] {
               instance.set_curves({at({3, 4})});
             }),
-            "Curve 0 has the vertex handle 3, and the mesh no such vertex, or a deleted one.");
+            "Curve 0 has the vertex handle 3, but this vertex of the mesh does not exist or is "
+            "deleted.");
   EXPECT_EQ(sentence_of([&] {
               instance.set_curves({stairs(), at({700, 99999})});
             }),
-            "Curve 1 has the vertex handle 99999, and the mesh no such vertex, or a deleted one.");
+            "Curve 1 has the vertex handle 99999, but this vertex of the mesh does not exist or is "
+            "deleted.");
   openmesh::Curve inside;
   inside.points.push_back({VertexHandle(), FaceHandle(-1), {1, 0, 0}});
   EXPECT_EQ(sentence_of([&] { instance.set_curves({inside}); }),

@@ -269,7 +269,7 @@ TEST_F(CutPlugin, RefusesAttributesThatDoNotFit) {
   EXPECT_EQ(sentence_of([&] {
               instance.set_attributes({good, good});
             }),
-            "The attribute \"a\" is there twice.");
+            "The attribute \"a\" is given twice.");
 }
 
 TEST_F(CutPlugin, GivesOnlyWhatTheLastRunMade) {
@@ -401,7 +401,7 @@ TEST_F(LabelsPlugin, RefusesLabelsThatAreNone) {
             "Labels of triangles (triangle_labels) must be whole numbers, not 1.5 at 5.");
   instance.set("vertex_labels", std::vector<double>{1});
   EXPECT_EQ(sentence_of([&] { instance.run(); }),
-            "There are labels of triangles and of vertices; one is enough.");
+            "Both triangle_labels and vertex_labels are set; set only one of them.");
 }
 
 struct RepairPlugin : OnHills {

@@ -320,7 +320,7 @@ TEST(BipartitionPlugin, RefusesWhatHasNoTwoSides) {
   OnMesh on("talweg.bipartition", test::grid(20, 12));
   const auto at = [](std::uint32_t x, std::uint32_t y) { return x + 21 * y; };
   const std::string ends_inside = on.sentence({edge_path(on.mesh, {at(9, 0), at(9, 8)}, false)});
-  EXPECT_NE(ends_inside.find("does not part the mesh in two sides: at ("), std::string::npos);
+  EXPECT_NE(ends_inside.find("does not separate the mesh into two sides: at ("), std::string::npos);
   host::Curve small;  // within one face
   small.closed = true;
   small.positions = {{3.5, 3.1, 0}, {3.8, 3.1, 0}, {3.8, 3.4, 0}};
