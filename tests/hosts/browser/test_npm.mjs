@@ -99,7 +99,7 @@ export async function ridgesAttract() {
   assert.ok(attracted.report.ridges.moved > 0.5);
 }
 
-/** The mesh with a face twice is refused, and mended where it is asked for. */
+/** A mesh with a repeated face is refused, and repaired on request. */
 export async function defectsAndRepair() {
   await assert.rejects(opened('twice'), { name: 'TalwegError', kind: 'mesh', message: /1 face repeats/ });
   const mesh = await opened('twice', { repair: true });

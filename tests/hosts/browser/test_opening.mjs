@@ -67,7 +67,7 @@ export async function noOtherHost() {
 }
 
 /** Reading 638,000 faces takes a while. The earlier mesh stays, with its drawing. */
-export async function whatTakesLongCanBeEnded() {
+export async function longOpeningCanBeEnded() {
   const page = await openPage();
   await page.openMesh(mesh('ball'));
   await drawTwo(page);

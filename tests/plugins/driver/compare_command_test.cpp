@@ -92,7 +92,7 @@ TEST_F(CompareCommand, ASweepHasAPlotAndAVerdict) {
 }
 
 TEST_F(CompareCommand, TellsWhatALoopBecame) {
-  // On a tube of constant girth the ring that is left is a geodesic, and parts the tube.
+  // On a tube of constant girth the loop becomes a ring that is a geodesic and separates the tube.
   const Outcome outcome =
       run("compare tube.ply --curve ring.json --methods corridor,geodesic --report all.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;

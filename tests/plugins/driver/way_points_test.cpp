@@ -1,4 +1,5 @@
-// Way-points from draw to smooth: who makes them, who says otherwise, and what then does not apply.
+// Way-points from draw to smooth: the commands that make them, the options that replace them, and
+// the options that do not apply to them.
 #include <algorithm>
 #include <cmath>
 #include <string>
