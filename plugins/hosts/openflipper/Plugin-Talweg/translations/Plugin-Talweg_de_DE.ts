@@ -608,8 +608,8 @@
         <translation>Der geglätteten Kurve, in Netzeinheiten.</translation>
     </message>
     <message>
-        <source>The largest from what was drawn, in mesh units.</source>
-        <translation>Die größte vom Gezeichneten, in Netzeinheiten.</translation>
+        <source>The largest distance between result and drawing, in either direction, in mesh units.</source>
+        <translation>Der größte Abstand zwischen Ergebnis und Zeichnung, in beiden Richtungen, in Netzeinheiten.</translation>
     </message>
     <message>
         <source>The total turning of the smoothed curve.</source>
