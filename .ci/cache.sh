@@ -1,4 +1,5 @@
-# shellcheck shell=bash Sourced at the project's top folder: makes compilers use ccache, if it is installed.
+# shellcheck shell=bash
+# Makes compilers use ccache, if it is installed. Scripts source this file in the project's top folder.
 # All checkouts share the cache, since its keys contain no names of folders.
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=${CMAKE_C_COMPILER_LAUNCHER-ccache}

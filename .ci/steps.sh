@@ -1,6 +1,6 @@
-# shellcheck shell=bash Functions of .ci/run and .ci/nightly. A script sources this file, defines a function
-# step_NAME for each step, and calls run_steps with a line "NAME  WHAT" for each step, in order. Steps after a
-# failed step still run.
+# shellcheck shell=bash
+# Functions of .ci/run and .ci/nightly. A script sources this file, defines a function step_NAME for each step,
+# and calls run_steps with a line "NAME  WHAT" for each step, in order. Steps after a failed step still run.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export DEBIAN_FRONTEND=noninteractive

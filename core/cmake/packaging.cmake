@@ -68,7 +68,7 @@ else()
          ", libsuitesparse-dev, libpugixml-dev, zlib1g-dev, libfmt-dev")
 endif()
 
-# The first line of each is its synopsis, so there is no common one.
+# Each package's description begins with its own synopsis, so there is no common synopsis.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(about "Talweg draws curves on triangle meshes, smooths them while they keep
 close to the drawing, and measures them.")

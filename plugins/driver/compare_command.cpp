@@ -69,7 +69,7 @@ void check_files(const CompareCommandOptions& o, const std::vector<Method>& meth
   files.writes("--table", o.table);
   if (is_standard_output(o.results)) {
     throw Error(ErrorCode::kBadUsage,
-                "--results names several files, and the standard output is one.");
+                "--results writes several files, but the standard output is a single file.");
   }
   for (const Method& method : methods) {
     if (o.results.empty()) break;
@@ -119,7 +119,7 @@ int run_compare(const CompareCommandOptions& o, const GlobalOptions& global) {
 Command add_compare(CLI::App& app, const GlobalOptions& global) {
   auto o = std::make_shared<CompareCommandOptions>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Smooth one drawing by every method there is, and measure all results alike");
+      "compare", "Smooth one drawing by all methods, and measure all results in the same way");
   command->add_option("mesh", o->mesh, mesh_help())->required();
   command
       ->add_option("--curve", o->curves,
@@ -137,8 +137,8 @@ Command add_compare(CLI::App& app, const GlobalOptions& global) {
   command->add_option("-o,--output", o->picture, "A picture of all curves, .png");
   command->add_option("--plot", o->plot,
                       "With --sweep: curvature against deviation, a line per method, .svg");
-  command->add_option("--report", o->report, "All that was measured, as JSON");
-  command->add_option("--table", o->table, "The same as .csv, a line per run");
+  command->add_option("--report", o->report, "All measures of all results, as JSON");
+  command->add_option("--table", o->table, "All measures as .csv, a line per run");
   command->add_option("--results", o->results,
                       "The resulting curves: files RESULTS-METHOD.json, numbered with --sweep");
   add_repair_option(*command, o->repair);

@@ -1,5 +1,4 @@
-// The console is where the command line comes from, where text goes to, and where Ctrl-C is
-// pressed.
+// The console gives the command line's words, shows text, and reports Ctrl-C.
 #pragma once
 
 #include <cstdio>

@@ -105,7 +105,7 @@ class Cutting {
   ReadMesh read_;
   SurfaceMesh mesh_;
   SnappedDrawing drawing_;
-  CutMesh cut_;  // without lists, which the parts have
+  CutMesh cut_;  // without its lists, which take_apart() has moved to the parts
   MeshParts made_;
   double cut_ms_ = 0;
   std::vector<std::size_t> faces_;     // number of written faces, per part
@@ -125,7 +125,7 @@ Cutting::Cutting(const CutCommandOptions& options, Progress progress)
   cut_.lists.single_precision = read_.lists.single_precision;
   made_ = take_apart(mesh_, std::move(cut_), attributes_, part_options(o_), progress_);
   for (MeshPart& part : made_.parts) part.lists.space = read_.lists.space;
-  attributes_ = {};  // the parts have the attributes
+  attributes_ = {};  // the parts have copies
   cut_ms_ = watch.ms();
   if (!made_.left_out.empty()) {
     left_out_.push_back(fmt::format("Not carried over: {}.", fmt::join(made_.left_out, ", ")));
@@ -268,7 +268,7 @@ void check_files(const CutCommandOptions& o) {
     files.writes_numbered("-o", split_prefix(o), ending, check_mesh_name);
   } else if (o.split) {
     throw Error(ErrorCode::kBadUsage,
-                "--split writes several files, and the standard output is one.");
+                "--split writes several files, but the standard output is a single file.");
   } else {
     files.writes("-o", o.output, check_mesh_name);
   }

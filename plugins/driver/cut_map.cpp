@@ -48,7 +48,7 @@ std::string cut_map_json(std::span<const PartOrigins> parts, std::span<const std
   for (std::size_t k = 0; k < parts.size(); ++k) {
     map["parts"].push_back(part_json(parts[k], files[k]));
   }
-  // JSON must be UTF-8, but the name of a file may be no UTF-8.
+  // JSON must be UTF-8, but the name of a file need not be.
   return map.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -183,7 +183,8 @@ void tell_strokes(const Options& options) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
   if (names.empty() || options.points != "exact" || !options.written.resample.empty()) return;
-  std::fprintf(text_stream(), "%s: the path, a stroke; .json, .vtp and .vtk hold way-points.\n",
+  std::fprintf(text_stream(),
+               "%s: a stroke, because the format has no way-points; .json, .vtp and .vtk have.\n",
                names.c_str());
 }
 

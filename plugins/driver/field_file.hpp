@@ -6,7 +6,7 @@
 
 namespace talweg::driver {
 
-/// As read_field_values() does. Throws Error(kBadFile).
+/// Reads a field as read_field_values() does. Throws Error(kBadFile).
 std::vector<double> read_field(const std::string& path);
 /// The same; throws if the number of values is not `vertices`.
 std::vector<double> read_field(const std::string& path, std::size_t vertices);

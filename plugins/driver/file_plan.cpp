@@ -117,7 +117,7 @@ void FilePlan::writes_numbered(const std::string& what, const std::string& prefi
                                const std::string& ending, NameCheck name_check) {
   if (is_standard_output(prefix)) {
     throw Error(ErrorCode::kBadUsage,
-                what + " names several files here, and the standard output is one.");
+                what + " writes several files here, but the standard output is a single file.");
   }
   const fs::path full(prefix + ending);
   const fs::path folder = full.has_parent_path() ? full.parent_path() : fs::path(".");

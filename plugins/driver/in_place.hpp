@@ -1,4 +1,5 @@
-// An output that is no file of its own, a pipe, a terminal or a device, is written where it is.
+// Outputs to a pipe, a terminal or a device are written in place. Regular files are replaced as a
+// whole instead (write_file()).
 #pragma once
 
 #include <string>

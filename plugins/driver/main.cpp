@@ -97,7 +97,7 @@ int run(const std::vector<std::string>& words) {
   app.allow_extras();  // unknown arguments get a message with a suggestion
   const std::vector<std::string> arguments(words.begin() + 1, words.end());
   check_values(app, arguments);
-  // An unknown word is reported before the missing word that it was meant to be.
+  // An unknown argument is reported before a missing one: it is often the missing one, misspelt.
   const auto check_all_taken = [&app] {
     const bool with_subcommands = !app.got_subcommand("run");  // `run` parses its own words
     for (const std::string& extra : app.remaining(with_subcommands)) refuse_unexpected(app, extra);

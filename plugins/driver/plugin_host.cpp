@@ -62,7 +62,7 @@ const talweg_plugin& plugin_named(const std::string& id) {
                                        talweg_loader_folders(plugin_loader()) +
                                        suggestion(id, known) +
                                        " (TALWEG_PLUGIN_PATH names other folders; talweg plugins "
-                                       "lists what is there).");
+                                       "lists all that were found).");
 }
 
 void rethrow(const host::Error& error) {
@@ -153,7 +153,7 @@ void set_mesh(host::Instance& instance, const MeshLists& lists) {
   for (const Point& p : lists.points) {
     for (const double x : p) {
       xyz.push_back(static_cast<float>(x));
-      // A text may have more digits.
+      // Coordinates of text files may need doubles.
       if (xyz.back() != x) return set_mesh(instance, lists.points, lists.triangles);
     }
   }

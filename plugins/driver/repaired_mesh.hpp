@@ -37,11 +37,11 @@ CoordinateFrame with_unit(CoordinateFrame frame, const std::string& unit);
 /// and repair() do, and Error(kBadMesh) if the repaired mesh cannot be used.
 ReadMesh read_and_repair(const std::string& path, const std::string& list);
 /// Also reads the attributes, and converts them to the repaired mesh. A sentence in the changes
-/// says how many vertices lost theirs by welding.
+/// says how many vertices lost their attributes by welding.
 ReadMesh read_and_repair(const std::string& path, const std::string& list,
                          MeshAttributes& attributes);
 
-/// The option with which weld_hint() tells what welding would give.
+/// The option that weld_hint() recommends.
 inline constexpr const char* kRepairOption = "--repair=";
 
 /// Rethrows the error, with the hint if a curve was rejected.

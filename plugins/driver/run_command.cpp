@@ -89,9 +89,9 @@ void add_files(CLI::App& app, const talweg_plugin& plugin, Files& files) {
     app.add_option("--report", files.report, "The report, as JSON");
   }
   if (gives(plugin, TALWEG_OUTPUT_MESH)) {
-    app.add_option(
-        "--write-mesh", files.meshes,
-        "The resulting mesh: OBJ, OFF, PLY, STL, VTK or VTP; of several OUT-0.ply, OUT-1.ply, ...");
+    app.add_option("--write-mesh", files.meshes,
+                   "The resulting mesh: OBJ, OFF, PLY, STL, VTK or VTP; several are OUT-0.ply, "
+                   "OUT-1.ply, ...");
   }
   if (meshes_of(plugin) != nullptr) {
     app.add_option("--map", files.map,
@@ -260,7 +260,7 @@ void lead_with_far_results(const host::Results& results) {
   }
 }
 
-/// Reads the mesh, and repairs it where the plugin does not.
+/// Reads the mesh, and repairs it unless the plugin repairs meshes itself.
 ReadMesh mesh_for(const talweg_plugin& plugin, const PluginOptions& options, const Files& files,
                   MeshAttributes& attributes) {
   const talweg_meshes* extension = meshes_of(plugin);

@@ -172,7 +172,7 @@ void check_lists(const SmoothOptions& options, std::size_t curves) {
     if (values <= 1 || values == curves) return;
     throw Error(
         ErrorCode::kBadUsage,
-        fmt::format("{} has {} values, and the drawing {} curve{}: give one, or one for each "
+        fmt::format("{} has {} values, but the drawing has {} curve{}: give one, or one for each "
                     "curve.",
                     name, values, curves, curves == 1 ? "" : "s"));
   };

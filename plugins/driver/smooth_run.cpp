@@ -364,8 +364,8 @@ void add_entries(std::vector<ReportEntry>& entries, const std::vector<ReportEntr
   entries.insert(entries.end(), more.begin(), more.end());
 }
 
-/// The report. Entries on resampled curves have the number of points and the spacing: in the
-/// totals, the number of all points and the largest spacing.
+/// The report as JSON. Resampled curves have entries with their number of points and their spacing;
+/// the totals have the number of all points and the largest spacing.
 std::string report_json(const PlacedResult& result) {
   std::vector<ReportEntry> total = entries_of(result.total);
   add_entries(total, total_entries(result.ridges));

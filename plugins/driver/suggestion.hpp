@@ -7,8 +7,9 @@
 
 namespace talweg::driver {
 
-/// "; did you mean WORD?" for the nearest known word: it begins with the written one, or one or two
-/// letters are wrong, missing, superfluous or exchanged. Empty if there is none.
+/// "; did you mean WORD?" for the nearest known word that begins with the written word, or differs
+/// from it by one or two letters that are wrong, missing, superfluous or exchanged. Empty if no
+/// known word is near.
 std::string suggestion(std::string_view written, std::span<const std::string> known);
 
 }  // namespace talweg::driver

@@ -9,8 +9,7 @@
 
 namespace talweg::editing {
 
-/// Writes curves of the mesh with their faces, barycentrics and positions. The extension of the
-/// path
+/// Writes curves of the mesh with their faces, barycentrics and positions. The path's extension
 /// (.json, .vtp, .border, ...) chooses the format. `frame` describes the coordinates of the mesh's
 /// file (talweg_mesh_files.h). Throws host::Error; the file is then unchanged.
 void write_curves(const Plugins& plugins, const std::string& path, const MeshArrays& mesh,

@@ -1,5 +1,5 @@
-// Reads arrays of the plugin interface with any type and stride. Failure is the exception with a
-// status.
+// Reads arrays of the plugin interface with any type and stride. An array that cannot be read
+// throws Failure.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace talweg::plugin {
 
-/// Ends a call with this status; what() is the text of last_error.
+/// An exception that ends a call of the interface with a status; what() is the text of last_error.
 class Failure : public std::runtime_error {
  public:
   Failure(talweg_status status, const std::string& message)
@@ -58,12 +58,12 @@ std::uint32_t index_of(Source value, std::uint64_t row, const std::string& what)
   if constexpr (std::is_signed_v<Source>) {
     if (value < 0) {
       bad_array(what, "has " + std::to_string(value) + " in row " + std::to_string(row) +
-                          ", which is no index");
+                          ", which is not an index");
     }
   }
   if (static_cast<std::uint64_t>(value) >= UINT32_MAX) {
     bad_array(what, "has " + std::to_string(value) + " in row " + std::to_string(row) +
-                        ", more than an index can be");
+                        ", which is too large for an index");
   }
   return static_cast<std::uint32_t>(value);
 }
@@ -93,8 +93,8 @@ void convert(const talweg_array& array, const std::string& what, Target* out) {
 }  // namespace detail
 
 /// Throws Failure(TALWEG_BAD_USAGE) unless the array can be read: it must have this many columns, a
-/// known type, not too many rows, data, and a stride that is no shorter than a row. `what` is its
-/// name in the sentence.
+/// known type, not too many rows, data, and a stride that is no shorter than a row. `what` is the
+/// array's name in the message.
 inline void check_array(const talweg_array& array, std::uint32_t columns, const std::string& what) {
   if (array.rows == 0) return;
   const std::uint64_t bytes = detail::size_of(array.type);
@@ -114,7 +114,8 @@ inline void check_array(const talweg_array& array, std::uint32_t columns, const 
         what, "has a stride of " + std::to_string(array.stride) + " bytes, less than a row");
   }
   if (array.stride > (std::uint64_t{1} << 32)) {
-    detail::bad_array(what, "has a stride of " + std::to_string(array.stride) + " bytes");
+    detail::bad_array(
+        what, "has a stride of " + std::to_string(array.stride) + " bytes, which is too large");
   }
 }
 

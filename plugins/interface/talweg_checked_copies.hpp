@@ -17,8 +17,9 @@
 
 namespace talweg::host::detail {
 
-/// The bounds of indices in results: the plugin's mesh, and the curves that were set or that the
-/// plugin has returned so far, whichever are more.
+/// Upper bounds of the indices in results: the numbers of vertices and triangles of the plugin's
+/// mesh, and the number of curves. The curves are the set curves or the curves returned so far,
+/// whichever are more.
 struct Limits {
   std::uint64_t vertices = 0;
   std::uint64_t triangles = 0;
@@ -268,7 +269,7 @@ inline CutPlan checked_copy(const talweg_cut_plan& plan, const Limits& limits) {
                  vertices_of(plan.lengths),
                  vertices_of(plan.chains)};
   if (plan.vertex_count != limits.vertices || plan.triangle_count != limits.triangles) {
-    nonsense("A plan of a cut", "is of another mesh");
+    nonsense("A plan of a cut", "does not have the vertices and triangles of the set mesh");
   }
   const std::uint64_t vertices = limits.vertices + result.vertices.size();
   check_rows(result.weights.size(), result.vertices.size(), "The weights of a plan");
@@ -281,10 +282,14 @@ inline CutPlan checked_copy(const talweg_cut_plan& plan, const Limits& limits) {
   check_indices(result.triangles, vertices, "The triangles of a plan");
   check_indices(result.chains, vertices, "The chains of a plan");
   const std::uint64_t places = check_chains(result.closed, result.lengths, plan.curve_count);
-  if (places != result.chains.size()) nonsense("A plan of a cut", "has chains of another length");
+  if (places != result.chains.size()) {
+    nonsense("A plan of a cut", "has chains that do not have the given lengths");
+  }
   std::uint64_t parts = 0;
   for (const std::uint32_t number : result.parts) parts += number;
-  if (parts != result.triangles.size()) nonsense("A plan of a cut", "has another number of parts");
+  if (parts != result.triangles.size()) {
+    nonsense("A plan of a cut", "has triangles that do not add up to the given parts");
+  }
   return result;
 }
 

@@ -121,7 +121,7 @@ inline talweg_array view_of(const std::vector<std::uint32_t>& values) {
   return view(values.data(), values.size());
 }
 
-/// Without the marks of the points.
+/// A view of a curve without the marks of its points.
 inline talweg_curve view_of(const Curve& curve) {
   talweg_curve c = {};
   c.size = sizeof c;
@@ -184,8 +184,8 @@ inline talweg_attribute view_of(const Attribute& attribute) {
           corners};
 }
 
-/// The results of one call of a plugin. Its first wrong result ends the call with an error, even if
-/// the plugin continues.
+/// Checks the results of one call of a plugin. The first wrong result ends the call with an error,
+/// even if the plugin continues.
 class ResultCheck {
  public:
   explicit ResultCheck(const Limits& mesh) : limits_(mesh) {}

@@ -4,10 +4,11 @@
  * the driver: .obj, .off, .ply, .stl, .vtk, .vtp, and for reading .om, .msh, .gltf, .glb and .3mf
  * (docs/meshes.md).
  *
- * Related columns of a file form one attribute (talweg_meshes.h), and an attribute becomes such
- * columns: `normals` is nx ny nz; `colors` red green blue, and alpha; `uv` of vertices s t, u v or
- * texture_u texture_v (written: s t); `NAME` with several columns NAME_0 NAME_1 ... Attributes of
- * corners are `uv` (2 or 3 columns) and `normals`. Other attributes have the file's names.
+ * Related columns of a file form one attribute (talweg_meshes.h), which is written as such columns
+ * again. The attribute `normals` has the columns nx ny nz; `colors` has red green blue, and
+ * optionally alpha; `uv` of vertices has s t, u v or texture_u texture_v, and is written as s t;
+ * another attribute NAME with several columns has NAME_0 NAME_1 ... Attributes of corners are `uv`
+ * (2 or 3 columns) and `normals`. All other attributes have the names of the file's columns.
  */
 #ifndef TALWEG_MESH_FILES_H
 #define TALWEG_MESH_FILES_H

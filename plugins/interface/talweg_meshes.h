@@ -13,8 +13,7 @@
  *   meshes->attributes(instance, 0, take_attribute, context);
  *   meshes->origin(instance, 0, take_origin, context);
  *
- * Attributes of kinds that the interface does not have can be interpolated by the host, by the
- * origin.
+ * A host can interpolate attributes of other kinds itself, with the origin of each element.
  */
 #ifndef TALWEG_MESHES_H
 #define TALWEG_MESHES_H
@@ -40,7 +39,7 @@ enum { TALWEG_OF_VERTICES = 1, TALWEG_OF_TRIANGLES = 2, TALWEG_OF_CORNERS = 3 };
 enum {
   TALWEG_CARRY_LINEAR = 1,   /* linear interpolation, for real numbers */
   TALWEG_CARRY_ROUNDED = 2,  /* linear interpolation, rounded to whole numbers: colours of 8 bits */
-  TALWEG_CARRY_NEAREST = 3,  /* values of the nearest corner (of equals the first): labels, ids */
+  TALWEG_CARRY_NEAREST = 3,  /* values of the nearest corner, the first of several: labels, ids */
   TALWEG_CARRY_DIRECTION = 4 /* linear interpolation, scaled to length 1: normals; 3 columns */
 };
 

@@ -198,7 +198,7 @@ inline std::vector<std::uint32_t> entries_of(const talweg_attribute& attribute, 
     bad_attribute(name, "has corners for " + std::to_string(given.rows) +
                             " triangles, and the mesh has " + std::to_string(faces));
   }
-  if (given.type != TALWEG_UINT32) bad_attribute(name, "has corners that are no 32-bit indices");
+  if (given.type != TALWEG_UINT32) bad_attribute(name, "has corners that are not 32-bit indices");
   std::vector<std::uint32_t> entries(3 * faces);
   const std::size_t stride = given.stride == 0 ? 12 : static_cast<std::size_t>(given.stride);
   for (std::size_t f = 0; f < faces; ++f) {
@@ -208,7 +208,7 @@ inline std::vector<std::uint32_t> entries_of(const talweg_attribute& attribute, 
       if (entry < attribute.values.rows) continue;
       if (entry == TALWEG_NO_ENTRY && is_real(attribute.values.type)) continue;
       bad_attribute(name, entry == TALWEG_NO_ENTRY
-                              ? "has a corner without an entry, and whole numbers"
+                              ? "has a corner without an entry, which whole numbers cannot have"
                               : "has the entry " + std::to_string(entry) + " at triangle " +
                                     std::to_string(f) + ", and " +
                                     std::to_string(attribute.values.rows) + " entries");
@@ -234,7 +234,7 @@ inline AttributeProperty described(const talweg_attribute& given) {
     bad_attribute(given.name, "has " + std::to_string(property.columns) + " columns, not 1 to 64");
   }
   if (property.shared && given.element != TALWEG_OF_CORNERS) {
-    bad_attribute(given.name, "has corners, and is not of corners");
+    bad_attribute(given.name, "has a list of corners, but does not belong to corners");
   }
   if (property.name == "v:points") bad_attribute(given.name, "has the name of OpenMesh's points");
   if (plugin::detail::size_of(property.type) == 0) {

@@ -37,13 +37,13 @@ namespace detail {
 template <class Mesh>
 class CurveReader {
  public:
-  /// `number` is the index of the curve, for sentences.
+  /// `number` is the index of the curve, for messages.
   CurveReader(const Mesh& mesh, Nearest<Mesh>& nearest, std::size_t number)
       : mesh_(mesh), nearest_(nearest), name_("Curve " + std::to_string(number)) {}
 
   Curve read(const talweg_curve& given) const {
     Curve curve;
-    if (given.closed > 1) bad(TALWEG_BAD_USAGE, "is closed by neither 0 nor 1");
+    if (given.closed > 1) bad(TALWEG_BAD_USAGE, "has a `closed` other than 0 or 1");
     curve.closed = given.closed == 1;
     if (given.vertices.rows > 0) {
       curve.points = at_vertices(given.vertices);

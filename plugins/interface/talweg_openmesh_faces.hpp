@@ -38,7 +38,8 @@ class Fans {
       bad_face(corners[k].face, "has the edge from vertex " + std::to_string(vertex) + " to " +
                                     std::to_string(corners[k].to) + ", and so has face " +
                                     std::to_string(corners[k - 1].face) +
-                                    ": more than two faces meet there, or one is turned over");
+                                    ": more than two faces share the edge, or one of the two "
+                                    "has the opposite orientation");
     }
     link(corners);
     std::size_t in_open_fans = 0;
@@ -49,7 +50,8 @@ class Fans {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       if (seen_[k]) continue;
       bad_face(corners[k].face, "meets other faces at vertex " + std::to_string(vertex) +
-                                    " without an edge between them, and a side is closed there");
+                                    " without a common edge, and one of the fans of faces there "
+                                    "is closed");
     }
   }
 

@@ -187,8 +187,8 @@ void fill_mesh(Mesh& mesh, const talweg_array& positions, const talweg_array& tr
   for (std::size_t k = 0; k < corners.size(); k += 3) {
     const auto at = [&](std::size_t i) { return VertexHandle(static_cast<int>(corners[k + i])); };
     if (mesh.add_face(at(0), at(1), at(2)).is_valid()) continue;
-    throw plugin::Failure(TALWEG_BAD_MESH, "OpenMesh does not take face " + std::to_string(k / 3) +
-                                               " beside the faces before it.");
+    throw plugin::Failure(TALWEG_BAD_MESH, "OpenMesh cannot add face " + std::to_string(k / 3) +
+                                               " to the faces before it.");
   }
 }
 

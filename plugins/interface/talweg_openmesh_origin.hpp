@@ -43,8 +43,9 @@ void number_elements(Mesh& mesh) {
   }
 }
 
-/// The origin of a made mesh, and the chains of the curves at vertices in it, where all vertices
-/// still exist and are still neighbours.
+/// The origin of a made mesh, with the chains of the host's curves in it. A curve has a chain only
+/// if all its points are vertices that the made mesh still has, and successive vertices are
+/// neighbours there.
 template <class Mesh>
 class MadeOrigin {
  public:

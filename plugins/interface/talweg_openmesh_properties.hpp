@@ -46,7 +46,7 @@ inline double fill_of(const std::string& name, std::uint32_t type, std::uint32_t
   return type == TALWEG_UINT8 ? 255 : is_real(type) ? 1 : 0;
 }
 
-inline std::string what_it_is(const std::string& element, const OpenMesh::BaseProperty& property) {
+inline std::string shown_name(const std::string& element, const OpenMesh::BaseProperty& property) {
   return "The " + element + " property \"" + property.name() + "\"";
 }
 
@@ -82,7 +82,7 @@ std::optional<std::string> described(const Mesh& mesh, const MeshNumbers& number
 
 /// Whether a property may be an attribute: points, status, Talweg's own and unnamed properties may
 /// not.
-inline bool may_go_over(const OpenMesh::BaseProperty* property) {
+inline bool may_be_attribute(const OpenMesh::BaseProperty* property) {
   if (property == nullptr) return false;
   const std::string& name = property->name();
   const bool is_status = name.size() == 8 && name.substr(1) == ":status";
@@ -103,20 +103,20 @@ std::vector<AttributeProperty> properties_of(const Mesh& mesh, const MeshNumbers
   for (const std::uint32_t element : {TALWEG_OF_VERTICES, TALWEG_OF_TRIANGLES, TALWEG_OF_CORNERS}) {
     const auto [begin, end] = detail::properties_at(mesh, element);
     for (auto at = begin; at != end; ++at) {
-      if (!detail::may_go_over(*at)) continue;
+      if (!detail::may_be_attribute(*at)) continue;
       AttributeProperty property;
       property.element = element;
       const auto problem = detail::described(mesh, numbers, **at, property);
       if (!problem) {
         list.push_back(std::move(property));
       } else {
-        left_out.push_back(detail::what_it_is(kElements[element - 1], **at) + " " + *problem + ".");
+        left_out.push_back(detail::shown_name(kElements[element - 1], **at) + " " + *problem + ".");
       }
     }
   }
   for (auto at = mesh.eprops_begin(); at != mesh.eprops_end(); ++at) {
-    if (!detail::may_go_over(*at)) continue;
-    left_out.push_back(detail::what_it_is("edge", **at) + " has no counterpart in the interface.");
+    if (!detail::may_be_attribute(*at)) continue;
+    left_out.push_back(detail::shown_name("edge", **at) + " has no counterpart in the interface.");
   }
   return list;
 }

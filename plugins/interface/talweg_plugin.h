@@ -130,10 +130,10 @@ typedef struct talweg_mesh {
  * `positions`, which are moved to the nearest points of the mesh. A plugin's description says how
  * points that are not neighbours are joined.
  *
- * As a result, each point and the next lie in a common triangle, which `faces` names (of several
- * the first; the last point of an open curve has the triangle of the point before). `barycentrics`
- * are in the order of this triangle's vertices; `positions` are the points in space; `vertices` has
- * the vertex that a point is at, or TALWEG_NO_VERTEX.
+ * As a result, each point and the next lie in a common triangle, which `faces` names (the first, if
+ * there are several; the last point of an open curve has the triangle of the point before).
+ * `barycentrics` are in the order of this triangle's vertices; `positions` are the points in space;
+ * `vertices` has the vertex that a point is at, or TALWEG_NO_VERTEX.
  */
 typedef struct talweg_curve {
   uint32_t size;

@@ -7,7 +7,7 @@
 //     static talweg_plugin about();                      // id, label, version, doc, flags
 //     static std::vector<talweg_parameter> parameters();  // number(...), choice(...), ...
 //     static std::vector<talweg_output> outputs();        // output(...)
-//     explicit Mine(const talweg::plugin::Services& services);  // there as long as the object
+//     explicit Mine(const talweg::plugin::Services& services);  // outlives the object
 //     void set_mesh(const talweg_mesh& mesh);             // or (mesh, const Parameters&)
 //     void set_curves(std::span<const talweg_curve* const> curves);  // with TALWEG_TAKES_CURVES
 //     void prepare(const Parameters& parameters);         // before set_curves() and run(); may be
@@ -409,7 +409,7 @@ class Adapter {
   static const char* last_error(const talweg_instance* instance) noexcept {
     const auto* self = reinterpret_cast<const Instance*>(instance);
     if (self == nullptr || self->kind != &table()) return "This is no instance of the plugin.";
-    return self->busy ? "Another call on the instance runs." : self->error.c_str();
+    return self->busy ? "Another call on the instance is running." : self->error.c_str();
   }
 };
 
@@ -435,9 +435,9 @@ const talweg_module* module_of() noexcept {
 
 }  // namespace talweg::plugin
 
-/// The module's entry point: one line in one source file, with all plugin classes of the library;
-/// or, where the classes are in sources of their own, with a function for each, which returns
-/// Adapter<Class>::plugin().
+/// The module's entry point, written once in one source file. The arguments are all plugin classes
+/// of the library. If the classes are in other source files, the arguments are functions, one for
+/// each class, which return Adapter<Class>::plugin().
 #define TALWEG_PLUGIN_MODULE(...)                                           \
   extern "C" TALWEG_PLUGIN_EXPORT const talweg_module* talweg_plugin_entry( \
       std::uint32_t host_major, std::uint32_t /*host_minor*/) {             \

@@ -75,7 +75,7 @@ class OpenMeshWorker {
     for (const talweg_attribute* attribute : given) {
       all.push_back(openmesh::add_property(*mesh, *attribute));
       if (names.emplace(all.back().element, all.back().name).second) continue;
-      openmesh::detail::bad_attribute(all.back().name, "is there twice");
+      openmesh::detail::bad_attribute(all.back().name, "is given twice");
     }
     mesh_ = std::move(mesh);
     attributes_ = std::move(all);
@@ -217,7 +217,8 @@ class OpenMeshWorker {
     if (numbers.empty()) return false;
     if (numbers.size() != count) {
       throw Failure(TALWEG_BAD_USAGE, std::string(id) + " has " + std::to_string(numbers.size()) +
-                                          " values, and the mesh " + std::to_string(count) + ".");
+                                          " values, but the mesh has " + std::to_string(count) +
+                                          " elements for them.");
     }
     for (std::size_t k = 0; k < count; ++k) {
       auto& value = values[Handle(static_cast<int>(k))];

@@ -103,12 +103,12 @@ std::string objection_to_version(const talweg_module& module, std::uint32_t host
                                  std::uint32_t host_minor) {
   if (module.interface_major != host_major) {
     return "It is made for the plugin interface " +
-           version_text(module.interface_major, module.interface_minor) + ", and this is " +
+           version_text(module.interface_major, module.interface_minor) + ", but this host has " +
            version_text(host_major, host_minor) + ".";
   }
   if (module.needs_minor > host_minor) {
     return "It needs the plugin interface " + version_text(host_major, module.needs_minor) +
-           ", and this is " + version_text(host_major, host_minor) + ".";
+           ", but this host has " + version_text(host_major, host_minor) + ".";
   }
   return "";
 }
@@ -135,7 +135,7 @@ std::string objection(const talweg_module* module, std::uint32_t host_major,
     }
     if (!is_id(plugin->id, "_.-")) return "It has a plugin without a proper id.";
     const std::string name = std::string("Its plugin ") + plugin->id + " ";
-    if (!ids.insert(plugin->id).second) return name + "is there twice.";
+    if (!ids.insert(plugin->id).second) return name + "is listed twice.";
     const std::string what = objection_to(*plugin);
     if (!what.empty()) return name + what + ".";
   }

@@ -35,7 +35,7 @@ SharedLibrary::SharedLibrary(const std::string& path) {
   if (failed || !fs::exists(full, failed)) refuse("It cannot be opened.");
   if (!fs::is_regular_file(full, failed)) refuse("It is not a file.");
   full.make_preferred();
-  // A plugin's own libraries lie beside it. No window asks the user about one that is missing.
+  // A plugin's own libraries lie beside it. No window asks the user about a missing library.
   constexpr DWORD kSearch = LOAD_LIBRARY_SEARCH_DLL_LOAD_DIR | LOAD_LIBRARY_SEARCH_DEFAULT_DIRS;
   DWORD before = 0;
   SetThreadErrorMode(SEM_FAILCRITICALERRORS, &before);

@@ -7,7 +7,7 @@
 namespace talweg::loader {
 
 const char* const kPluginEnding = ".dll";
-const char kBetweenFolders = ';';  // "C:" has the other one
+const char kBetweenFolders = ';';  // ':' follows the letter of a drive
 
 std::string plugin_path() {
   const wchar_t* path = _wgetenv(L"TALWEG_PLUGIN_PATH");

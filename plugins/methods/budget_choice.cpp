@@ -15,8 +15,9 @@ std::vector<talweg_parameter> budget_parameters() {
                      "so. By default no limit.",
                      TALWEG_STAGE_RUN, kFlags | TALWEG_OPEN_MINIMUM),
       plugin::integer("budget_work", "Budget of work", 1e9, {1, 1e15, 1e6, 1e10},
-                      "A budget in counted steps of about 0.1 microseconds: the same result on "
-                      "every machine. By default no limit.",
+                      "The work that a run may do, in steps of about 0.1 microseconds. Unlike a "
+                      "limit of time it gives the same result on every machine. By default no "
+                      "limit.",
                       TALWEG_STAGE_RUN, kFlags),
   };
 }

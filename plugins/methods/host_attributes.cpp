@@ -93,7 +93,7 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& giv
     bad(name, fmt::format("has corners for {} triangles, and the mesh has {}", given.corners.rows,
                           faces));
   }
-  if (given.corners.type != TALWEG_UINT32) bad(name, "has corners that are no 32-bit indices");
+  if (given.corners.type != TALWEG_UINT32) bad(name, "has corners that are not 32-bit indices");
   std::vector<std::array<std::uint32_t, 3>> corners(faces);
   const auto* bytes = static_cast<const char*>(given.corners.data);
   const std::uint64_t stride = given.corners.stride == 0 ? 12 : given.corners.stride;
@@ -145,10 +145,13 @@ HostAttribute copied(const talweg_attribute& given, std::size_t vertices, std::s
   if (given.values.type == TALWEG_INT64 || given.values.type == TALWEG_UINT64) {
     for (const double value : result.values) {
       if (std::abs(value) < 9007199254740992.0) continue;
-      bad(name, "has whole numbers of 2^53 or more; carry it by the origin");
+      bad(name,
+          "has whole numbers of 2^53 or more, which are not carried exactly; transfer it with the "
+          "origin of the new mesh instead");
     }
   }
-  if (!at_corners && result.shared) bad(name, "has corners, and is not of corners");
+  if (!at_corners && result.shared)
+    bad(name, "has a list of corners, but does not belong to corners");
   if (!at_corners) return result;
   if (result.shared) {
     result.corners = corners_of(given, faces, given.values.rows);
@@ -238,7 +241,7 @@ void HostAttributes::set(std::span<const talweg_attribute* const> attributes, st
   for (const talweg_attribute* given : attributes) {
     const HostAttribute& attribute = all.emplace_back(copied(*given, vertices, faces));
     if (!names.emplace(attribute.element, attribute.name).second) {
-      bad(attribute.name, "is there twice");
+      bad(attribute.name, "is given twice");
     }
   }
   attributes_ = std::move(all);

@@ -38,16 +38,17 @@ void read_marks(const talweg_curve& curve, CurveInput& input) {
     if (field.name == nullptr || std::string_view(field.name) != TALWEG_EXACT) continue;
     const std::vector<double> marks = plugin::numbers_of(field.values, 1, "The field exact");
     if (marks.size() != point_count(input)) {
-      throw plugin::Failure(TALWEG_BAD_USAGE,
-                            fmt::format("The field exact has {} values, and the curve {} points.",
-                                        marks.size(), point_count(input)));
+      throw plugin::Failure(
+          TALWEG_BAD_USAGE,
+          fmt::format("The field exact has {} values, but the curve has {} points.", marks.size(),
+                      point_count(input)));
     }
     for (std::size_t k = 0; k < marks.size(); ++k) {
       if (is_mark(marks[k]) || marks[k] == kControl) continue;
       throw plugin::Failure(
           TALWEG_BAD_USAGE,
           fmt::format("The field exact has {} at point {}; expected a tolerance of 0 or more, -1 "
-                      "(nothing is said), -2 (painted) or -3 (control point).",
+                      "(no mark), -2 (painted) or -3 (control point).",
                       marks[k], k));
     }
     set_marks(input, marks);
@@ -58,7 +59,8 @@ void read_marks(const talweg_curve& curve, CurveInput& input) {
 
 CurveInput input_of(const talweg_curve& curve) {
   CurveInput result;
-  if (curve.closed > 1) throw plugin::Failure(TALWEG_BAD_USAGE, "A curve's closed is not 0 or 1.");
+  if (curve.closed > 1)
+    throw plugin::Failure(TALWEG_BAD_USAGE, "The member `closed` of a curve is not 0 or 1.");
   result.closed = curve.closed == 1;
   if (curve.vertices.rows > 0) {
     std::vector<VertexId> ids;

@@ -126,8 +126,9 @@ std::shared_ptr<const HostMesh> HostMesh::open(MeshLists lists,
 
 bool HostMesh::is_of(const MeshLists& lists, const std::optional<RepairSteps>& steps) const {
   if (steps != steps_) return false;
-  if (came_in_)
-    return same_bits(came_in_->points, lists.points) && came_in_->triangles == lists.triangles;
+  if (unrepaired_)
+    return same_bits(unrepaired_->points, lists.points) &&
+           unrepaired_->triangles == lists.triangles;
   const Surface& surface = mesh().surface();
   if (surface.face_count() != lists.triangles.size()) return false;
   if (!same_bits(mesh().points(), lists.points)) return false;
@@ -151,14 +152,14 @@ std::shared_ptr<const HostMesh> HostMesh::open_anew(MeshLists lists,
   RepairedMesh repaired = repair_to_surface(lists, *steps);
   mesh->opened_ = OpenedMesh::open(std::move(repaired.lists));
   if (!repaired.changes.any()) return mesh;
-  mesh->came_in_ = std::move(lists);
+  mesh->unrepaired_ = std::move(lists);
   mesh->map_ = std::make_shared<const RepairMap>(std::move(repaired.map));
   mesh->changes_ = sentences(repaired.changes);
   return mesh;
 }
 
 MeshLists HostMesh::lists() const {
-  if (came_in_) return *came_in_;
+  if (unrepaired_) return *unrepaired_;
   MeshLists lists;
   lists.points.assign(mesh().points().begin(), mesh().points().end());
   const Surface& surface = mesh().surface();

@@ -69,7 +69,7 @@ class HostMesh {
 
   std::shared_ptr<const OpenedMesh> opened_;
   std::optional<RepairSteps> steps_;
-  std::optional<MeshLists> came_in_;  // before the repair; empty without one
+  std::optional<MeshLists> unrepaired_;  // the given lists, if they were repaired
   std::shared_ptr<const RepairMap> map_;
   std::vector<std::string> changes_;
 };

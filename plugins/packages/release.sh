@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# release.sh OUT: everything that is given away, in OUT/out: wheels, source distribution, archives and Blender
+# release.sh OUT: makes all released files, in OUT/out: wheels, source distribution, archives and Blender
 # add-ons, for Linux and (where mingw-w64's g++ is) for Windows, ParaView plugin and Debian packages (for the
 # ParaView and the Debian that are here), the page and the npm package (where ./run page has made them), sources
 # of the OpenFlipper plugin; SHA256 sums, an SPDX list, notes.
@@ -78,7 +78,7 @@ linux() {
   archive "$1" "${talweg[@]}"
 }
 
-openflipper() { # its sources: OpenFlipper compiles its plugins with itself
+openflipper() { # the plugin's sources, because OpenFlipper compiles its plugins together with itself
   local plugin=$work/talweg-openflipper-$version
   rm -rf "$plugin"
   cp -r "$project/plugins/hosts/openflipper" "$plugin"

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""same_zip.py FOLDER FILE SECONDS: a zip of the folder with the same bytes for the same files, dated by
-SECONDS since 1970."""
+"""same_zip.py FOLDER FILE SECONDS: packs the folder into a zip with the same bytes for the same files. All
+files are dated SECONDS since 1970."""
 
 import sys
 import time

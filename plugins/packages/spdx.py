@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""spdx.py VERSION SECONDS ROOT FILE...: what is inside the packages FILE..., and its licences, as SPDX 2.3
-in JSON on the standard output. SECONDS since 1970 are its date, ROOT what portable/sysroot.sh unpacked
-for the parts for any Linux."""
+"""spdx.py VERSION SECONDS ROOT FILE...: prints the parts inside the packages FILE... and their licences, as
+SPDX 2.3 in JSON. The document's date is SECONDS since 1970. ROOT is the sysroot of portable/sysroot.sh, for
+the versions of the parts for any Linux."""
 
 import hashlib
 import json
@@ -79,7 +79,7 @@ def debian_version(package):
 
 def unpacked_version(package, root):
     versions = dict(line.split() for line in (Path(root) / "versions").read_text().splitlines())
-    return versions.get(package) or sys.exit(f"spdx.py: {root}/versions does not tell that of {package}")
+    return versions.get(package) or sys.exit(f"spdx.py: {root}/versions has no version of {package}")
 
 
 def source_version(name):

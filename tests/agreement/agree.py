@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """usage: agree.py FOLDER MESHES DRIVER [DRIVER ...] [--quick]
 
-Runs the same commands with every DRIVER (talweg of another compiler or build type) and with the first
-one again on two threads, and compares what they write with what the first wrote: that one's own second
-run must give the same bytes; the others the same topology (curves, points, their faces and edges, the
-cut meshes' faces, labels, exit codes) and positions within 1e-9 of the mesh's size. Says for each driver
-how many files were the same bytes and how far positions were apart. What was written stays in FOLDER.
+Runs the same commands with every DRIVER (talweg of another compiler or build type), and with the first
+DRIVER again on two threads, and compares their files with those of the first run. The second run of the
+first DRIVER must give the same bytes. The others must give the same topology (curves, points, their faces
+and edges, faces of cut meshes, labels, exit codes), and positions within 1e-9 of the mesh's size. Prints
+for each driver how many files have the same bytes and the largest difference of positions. Leaves all
+files in FOLDER.
 
 MESHES has NAME.ply and NAME.through, arguments for `talweg draw` (talweg-scenes makes some), or NAME.ply
 beside ../reference/curves/NAME*.txt. Binary little-endian PLY. --quick: fewer commands.
@@ -70,7 +71,7 @@ class Subject:
             self.draw(driver, folder, "drawn.json", shlex.split(through.read_text()))
         else:
             self.curves = sorted((mesh.parent / "../reference/curves").resolve().glob(f"{self.name}*.txt"))
-        if not self.curves:  # nobody drew here: through four vertices
+        if not self.curves:  # without stored drawings: a drawing through four vertices
             count = len(points)
             ways = [count // 7, count // 3, count // 2, 5 * count // 6]
             self.draw(driver, folder, "drawn.json", ["--through", ",".join(map(str, ways)), "--points", "rough"])
@@ -131,14 +132,14 @@ class Subject:
 
 
 def results_of(report):
-    """A report without what may differ from run to run."""
+    """A report without the entries that may differ from run to run."""
     if isinstance(report, dict):
         return {key: results_of(value) for key, value in report.items() if key not in NOT_RESULTS}
     return [results_of(value) for value in report] if isinstance(report, list) else report
 
 
 def content_of(file):
-    """The bytes that count."""
+    """The bytes of a file that are compared."""
     if file.name.endswith("-report.json"):
         return json.dumps(results_of(json.loads(file.read_text()))).encode()
     return file.read_bytes()
@@ -175,7 +176,8 @@ def curves_apart(first, second):
 
 
 def report_apart(first, second):
-    """Whole numbers and words must be equal; what is measured follows from the positions."""
+    """Raises ValueError if whole numbers or words differ. Measured numbers follow from positions and are not
+    compared. Returns 0."""
     if isinstance(first, dict):
         if NOT_RESULTS & first.keys() or first.keys() == second.keys():
             for key in first.keys() - NOT_RESULTS:

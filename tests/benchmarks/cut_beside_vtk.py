@@ -1,4 +1,4 @@
-"""A mesh cut along a closed loop by Talweg and by VTK: times, and what each loses.
+"""Cuts a mesh along a closed loop by Talweg and by VTK: times, and the properties of the mesh that each loses.
 
     PYTHONPATH=plugins/hosts/python TALWEG_PLUGIN_PATH=build/lib/talweg/plugins \\
         /usr/bin/python3 tests/benchmarks/cut_beside_vtk.py MESH CURVE [MESH CURVE]...
@@ -19,7 +19,7 @@ from vtkmodules.vtkFiltersModeling import vtkSelectPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
-LABELS = 10  # labels are 0, 10, 20, ..., so that one between them is told from a true one
+LABELS = 10  # labels are 0, 10, 20, ..., so that interpolated labels can be recognized
 
 
 def processor_time():
@@ -125,7 +125,7 @@ def judged(pieces, ms, vertices, faces, curve):
 
 
 def _kept(piece, vertices, faces):
-    """Whether each face lies in the old one whose number it has: no wider in any direction."""
+    """Whether each face lies within the bounding box of the old face whose number it has."""
     old, new = vertices[faces[piece[3]["number"]]], piece[0][piece[1]]
     slack = 1e-5 * np.abs(vertices).max()
     return bool((new.min(axis=1) >= old.min(axis=1) - slack).all()

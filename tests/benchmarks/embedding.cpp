@@ -1,4 +1,5 @@
-// talweg-embedding: curves become edges of an OpenMesh mesh, beside what OpenMesh does with it.
+// talweg-embedding: times of embedding curves as edges of an OpenMesh mesh, compared with
+// operations of OpenMesh.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,11 @@
-"""Times of a cut, and of a network of label borders, in Python beside the driver: whole processes.
+"""Times of a cut, and of a network of label borders, in Python and by the driver, for whole processes.
 
     PYTHONPATH=plugins/hosts/python TALWEG_PLUGIN_PATH=build/lib/talweg/plugins \\
         /usr/bin/python3 tests/benchmarks/in_python.py build/bin/talweg MESH CURVE [LABELS] [RUNS]
 
 Each reads the mesh, works, and writes the cut mesh. LABELS: a number for each face of the mesh, or
-the number of regions to make. Told is processor time (user and system) in ms, the median of RUNS (5),
-and peak memory in MiB; the ways take turns, so that a busy machine hits all alike.
+the number of regions to make. Prints processor time (user and system) in ms, the median of RUNS (5),
+and peak memory in MiB. The programs take turns, so that a busy machine affects all of them equally.
 """
 
 import os

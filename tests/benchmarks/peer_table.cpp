@@ -1,4 +1,4 @@
-// talweg-peer-table: what a session costs at about a million faces, beside CGAL's heat method.
+// talweg-peer-table: times of a session at about a million faces, compared with CGAL's heat method.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -86,7 +86,7 @@ std::vector<double> session(const std::string& mesh, const std::vector<std::uint
     EdgeDijkstra dijkstra(opened->surface());
     const DraggedPoint dragged(opened->mesh(), curve, 20);
     const auto drag = [&] { smoother->drag(0, dragged.redraw(dijkstra), at(tau)); };
-    drag();  // makes the memory for it
+    drag();  // allocates the memory
     ms.push_back(mean_ms(repeat, drag));
   } else {
     const auto heat = opened->heat(options.heat_time);

@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
       std::vector<double> by_library, by_interface, more;
       std::size_t points = 0;
       for (int k = 0; k < rounds; ++k) {
-        // Never the slack of the last round, so that nothing is remembered of it.
+        // The slack differs from that of the last round, so that no result is reused.
         const double slack = library.slack().front() * (1 + 1e-9 * k);
         SmoothingOptions options;
         options.tau = tau;

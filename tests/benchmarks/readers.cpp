@@ -40,7 +40,7 @@ struct DoublePoints : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 
-/// Reads a file and returns the number of its faces, 0 where it cannot.
+/// Reads a file and returns the number of its faces, 0 on an error.
 struct Reader {
   const char* name;
   std::function<std::size_t(const std::string&)> faces;

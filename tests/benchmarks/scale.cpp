@@ -1,5 +1,6 @@
-// talweg-scale: what grows with the mesh. One mesh, its edges halved again and again, and a drawing
-// along its edges; times and memory of the default method on each, as a table in Markdown.
+// talweg-scale: the growth of times and memory with the mesh. The edges of one mesh are halved
+// again and again; prints a Markdown table of the default method for a drawing along the edges of
+// each mesh.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -170,7 +171,7 @@ int run(const fs::path& mesh, const fs::path& path, int levels) {
     // The same number of points everywhere, then the same length; and wider bands.
     apart([&] { measure(now, Path(whole.begin(), whole.begin() + points), 1); });
     if (level > 0) apart([&] { measure(now, whole, 1); });
-    if (level > 3) continue;  // what wide bands cost is seen by then
+    if (level > 3) continue;  // smaller meshes show the cost of wide bands
     for (const double factor : {2.0, 4.0}) apart([&] { measure(now, whole, factor); });
   }
   fs::remove_all(folder);

@@ -1,4 +1,4 @@
-// talweg-session: what somebody at a slider waits for, on given meshes and drawings.
+// talweg-session: the times that a user waits for at a slider, on given meshes and drawings.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,8 +34,8 @@ struct Waits {
   std::vector<double> moves;  // of tau, ascending
 };
 
-/// A new drawing, and moves of tau. Legs are kept from one drawing to the next, so another one that
-/// has none of them comes before.
+/// Times of a new drawing and of changes of tau. Legs are kept from one drawing to the next, so a
+/// drawing without common legs is set before.
 Waits waits(CurveSmoother& smoother, const SurfaceCurve& curve, const CurveOptions& drawing,
             const CurveOptions& before, SmoothingOptions& options) {
   Waits waits;
@@ -88,7 +88,7 @@ double dragged_click(CurveSmoother& smoother, const SurfaceCurve& curve, EdgeDij
     }
   }
   std::vector<double> times(steps.size(), HUGE_VAL);
-  for (int k = 0; k <= kRepeat; ++k) {  // the first makes the memory for it
+  for (int k = 0; k <= kRepeat; ++k) {  // the first round allocates the memory
     for (std::size_t i = 0; i < steps.size(); ++i) {
       const double time = mean_ms(1, [&] { smoother.drag(0, steps[i], options); });
       if (k > 0) times[i] = std::min(times[i], time);
@@ -111,7 +111,7 @@ void print_row(const std::string& mesh, const std::string& drawing) {
   EdgeDijkstra dijkstra(opened->surface());
   const DraggedPoint dragged(opened->mesh(), curve, kLeg);
   const auto drag = [&] { smoother.drag(0, dragged.redraw(dijkstra), options); };
-  drag();  // makes the memory for it
+  drag();  // allocates the memory
   const double dragging = shortest(drag);
   options.tau = 1;
   const Waits clicks = waits(smoother, curve, clicks_on(curve), clicks_on(curve, 1), options);

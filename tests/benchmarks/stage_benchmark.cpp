@@ -13,7 +13,7 @@ namespace talweg::benchmarks {
 namespace {
 
 void register_stages(const std::string& name, const std::filesystem::path& file) {
-  // Made when the first of its benchmarks runs, so a filter spares the others' meshes.
+  // Made when the first of its benchmarks runs, so meshes that a filter excludes are not made.
   auto held = std::make_shared<std::unique_ptr<Stages>>();
   const auto add = [&](const char* stage, void (Stages::*call)()) {
     benchmark::RegisterBenchmark((name + "/" + stage).c_str(), [=](benchmark::State& state) {

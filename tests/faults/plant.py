@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""plant.py --check: fails where the lines of a fault are not once in its source.
+"""plant.py --check: fails if the lines of a fault do not occur exactly once in its source.
 
 plant.py FOLDER [WORD...]: plants the faults of faults.txt, one at a time, in a copy of this project's
-sources in FOLDER, and fails where the tests that should find one all pass. WORDs choose faults by their
-sources and titles. Compiles the libraries and their tests once, then what each fault changes."""
+sources in FOLDER, and fails if all tests that should find a fault pass. WORDs choose faults by their
+sources and titles. Compiles the libraries and their tests once, then the parts that each fault changes."""
 
 import os
 import re
@@ -60,7 +60,7 @@ def read_faults(file):
 
 
 def copied(tree):
-    """The files that git knows or would take up, as they are here; what has not changed keeps its time."""
+    """Copies the files that git tracks or would add. Unchanged files in the tree keep their times."""
     names = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
                            cwd=PROJECT, check=True, capture_output=True, text=True).stdout.split("\0")
     for name in filter(None, names):
@@ -85,7 +85,7 @@ def blas_folder(kind):
 
 
 def passes(build, test):
-    """Whether the test passes; it fails, too, where no test is run."""
+    """Whether the test passes. If no test is run, it fails."""
     environment = dict(os.environ)
     if len(test) == 3:
         environment["LD_LIBRARY_PATH"] = blas_folder(test[2])

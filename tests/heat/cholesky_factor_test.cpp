@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Both, CholeskyFactorOfKind,
                                                                         : "Simplicial";
                          });
 
-TEST_P(CholeskyFactorOfKind, IsWhatWasAskedForWhereTheLibraryHasIt) {
+TEST_P(CholeskyFactorOfKind, HasTheRequestedKindIfTheLibraryHasIt) {
   const bool supernodes = factor_libraries().find("supernodal") != std::string::npos;
   EXPECT_EQ(SymbolicFactor(chain(5, 2), GetParam()).kind(),
             supernodes ? GetParam() : FactorKind::kSimplicial);

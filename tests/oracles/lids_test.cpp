@@ -183,7 +183,7 @@ TEST(LidsOracle, OfRealMeshes) {
 }
 
 /// On a lattice triangles often touch, overlap and share corners.
-TEST(TriangleContactOracle, IsCertainOnlyOfWhatIsApart) {
+TEST(TriangleContactOracle, IsCertainOnlyOfTrianglesThatAreApart) {
   using K = Soup::Kernel;
   std::size_t apart = 0, said = 0;
   for (std::uint64_t seed = 0; seed < 200000; ++seed) {

@@ -158,7 +158,7 @@ class Zip(unittest.TestCase):
 
 
 class Workflows(unittest.TestCase):
-    def test_call_what_is_there(self):
+    def test_workflows_call_existing_commands(self):
         commands = re.findall(r"(?m)^([a-z]+)\)", (PROJECT / "run").read_text())
         made = (PROJECT / "plugins/packages/release.sh").read_text()
         for workflow in (PROJECT / ".github/workflows").glob("*.yml"):

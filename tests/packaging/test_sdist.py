@@ -54,7 +54,7 @@ class SourceDistribution(unittest.TestCase):
         self.assertFalse([member.name for member in self.members
                           if not (member.isfile() or member.isdir())])
 
-    def test_leaves_out_what_lies_about(self):
+    def test_leaves_out_stray_files(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name, "heat")
             (folder / "__pycache__").mkdir(parents=True)

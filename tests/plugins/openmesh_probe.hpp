@@ -26,7 +26,7 @@ inline constexpr const char* kTasks[] = {"copy", "delete", "own", "scratch", "be
 class Probe : public tp::OpenMeshWorker<OpenMesh::DefaultTraitsDouble> {
  public:
   using OpenMeshWorker::OpenMeshWorker;
-  static inline std::function<void(const Probe&)> look;  // at what it has
+  static inline std::function<void(const Probe&)> look;  // looks at the inputs
 
   static talweg_plugin about() {
     talweg_plugin about = {};

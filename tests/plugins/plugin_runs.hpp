@@ -23,7 +23,7 @@ using Loader = std::unique_ptr<talweg_loader, CloseLoader>;
 /// The plugins of this build.
 inline Loader open_loader() { return Loader(talweg_loader_open(plugin_folder())); }
 
-/// There until the program ends.
+/// A plugin of this build. It stays loaded until the program ends.
 inline const talweg_plugin& plugin_of_this_build(const char* id) {
   static const Loader loader = open_loader();
   const talweg_plugin* plugin = talweg_loader_find(loader.get(), id);

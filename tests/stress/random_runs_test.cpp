@@ -8,7 +8,7 @@ namespace {
 
 class RandomRuns : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(RandomRuns, WhateverComesInSomethingSensibleComesOut) {
+TEST_P(RandomRuns, AnyInputGivesASensibleOutcome) {
   std::size_t smoothed = 0, lids = 0;
   constexpr std::uint64_t kRuns = 45;
   for (std::uint64_t seed = GetParam(); seed < GetParam() + kRuns; ++seed) {

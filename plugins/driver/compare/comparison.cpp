@@ -179,7 +179,7 @@ class MethodRuns {
       curves.push_back({snapped.closed, std::move(snapped.points)});
     }
     if (curves.empty()) {
-      run.refusal = "No curve is left.";
+      run.refusal = "The method returned no curve.";
       return;
     }
     run.numbers = numbers_of(mesh_, curves, comparison_.edge);

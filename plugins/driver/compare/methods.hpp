@@ -18,7 +18,7 @@ struct Method {
   std::vector<double> values;  ///< of the sweep, from close to smooth
 };
 
-/// Whether they differ in the swept parameter only.
+/// Whether two methods are equal except for their swept parameters.
 bool same_method(const Method& a, const Method& b);
 
 /// All methods in the order of tables and pictures; the others are compared with the first.

@@ -136,9 +136,10 @@ std::string within_table(const Comparison& c) {
 std::string beaten_text(const Comparison& c) {
   const std::vector<std::size_t> beaten = beaten_by(c);
   const std::size_t judged = judged_runs(c);
-  std::string text =
-      fmt::format("{} is as smooth or smoother at no more deviation in {} of {} runs of others.\n",
-                  c.methods.front().name, judged - beaten.size(), judged);
+  std::string text = fmt::format(
+      "{} is as smooth or smoother, at no larger deviation, in {} of {} runs of other "
+      "methods.\n",
+      c.methods.front().name, judged - beaten.size(), judged);
   for (const std::size_t k : beaten) {
     const ComparedRun& run = c.runs[k];
     text +=

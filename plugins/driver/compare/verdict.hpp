@@ -1,4 +1,5 @@
-// The verdict of a comparison says who is smoother at no more deviation.
+// The verdict of a comparison says which methods are smoother than the first at no larger
+// deviation.
 #pragma once
 
 #include <cstddef>

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 function ofDebian(name) {
   const path = join('/usr/share/doc', name, 'copyright');
   if (existsSync(path)) return [`${name}\n\n${readFileSync(path, 'utf8')}`];
-  throw new Error(`${path} is not there; the page gives the licence of ${name} on.`);
+  throw new Error(`${path} does not exist, but the page must include the licence of ${name}.`);
 }
 
 /** The libraries in the engine: header files of this machine, and sources that CMake has

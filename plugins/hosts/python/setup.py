@@ -1,5 +1,5 @@
-"""Puts the plugins into the wheel, which is therefore for one platform and any Python 3. Plugins come from
-the folders of TALWEG_PLUGIN_PATH, from the build of a checkout, or else from a compilation of the sources."""
+"""Puts the plugins into the wheel, which is therefore for one platform and any Python 3. The plugins come from
+the folders of TALWEG_PLUGIN_PATH, from the build of a checkout, or from a compilation of the sources."""
 
 import os
 import shutil

@@ -107,7 +107,8 @@ class Bipartition : public MethodWorkspace {
           strays, strays > 1 ? "s" : "", length, strays > 1 ? "" : "s"));
     }
     if (!drawing().pins.empty()) {
-      warnings.emplace_back("This method keeps no pinned points.");
+      warnings.emplace_back(
+          "This method ignores pins: the result need not pass the pinned points.");
     }
     return warnings;
   }

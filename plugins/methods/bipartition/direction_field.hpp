@@ -18,7 +18,7 @@ DirectionField gradient_directions(const SurfaceMesh& mesh, const ScaledField& u
                                    const std::vector<char>& side, const std::vector<char>& skipped);
 
 /// Gives faces without a direction the mean of their neighbours' directions, ring by ring. Returns
-/// how many there were.
+/// the number of these faces.
 std::size_t fill_directions(const Surface& surface, DirectionField& field);
 
 /// Replaces every direction `passes` times by the mean of itself and those of the adjacent faces,

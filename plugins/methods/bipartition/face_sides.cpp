@@ -40,11 +40,12 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_of(const CutMesh& c
 }
 
 [[noreturn]] void throw_no_sides(const Point& at, double edge, std::size_t curves) {
-  throw Error(ErrorCode::kBadCurve,
-              fmt::format("The drawn {} not part the mesh in two sides: at {} a way leads to the "
-                          "other side without crossing the drawing. This method needs loops that "
-                          "enclose something, or curves from boundary to boundary.",
-                          curves > 1 ? "curves do" : "curve does", position_text(at, edge)));
+  throw Error(
+      ErrorCode::kBadCurve,
+      fmt::format("The drawn {} not separate the mesh into two sides: at {} a path leads to the "
+                  "other side without crossing the drawing. This method needs loops that "
+                  "enclose something, or curves from boundary to boundary.",
+                  curves > 1 ? "curves do" : "curve does", position_text(at, edge)));
 }
 
 /// The sides of the faces of the cut mesh.

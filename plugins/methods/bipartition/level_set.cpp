@@ -6,7 +6,7 @@
 namespace talweg::plugins {
 namespace {
 
-constexpr double kMargin = 1e-6;  // as part of an edge
+constexpr double kMargin = 1e-6;  // as a fraction of an edge's length
 
 class ZeroSet {
  public:

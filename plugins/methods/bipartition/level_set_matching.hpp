@@ -17,7 +17,7 @@ struct MatchedCurves {
 
 /// Assigns to every drawn curve the curve of the set, closed if it is closed, to which its points
 /// are nearest on average (through space); the nearest pairs are assigned first.
-/// Throws Error(kNumerical) naming a drawn curve for which none is left.
+/// Throws Error(kNumerical), which names the drawn curve, if the set has no curve left for it.
 MatchedCurves match(const SurfaceMesh& mesh, std::span<const SurfaceCurve> drawn,
                     std::vector<SurfaceCurve> set);
 

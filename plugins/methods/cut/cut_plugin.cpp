@@ -23,8 +23,8 @@ namespace {
 constexpr const char* kBorders[] = {"snap", "leave"};
 constexpr const char* kBorderLabels[] = {"Extended to the border", "As they are"};
 constexpr const char* kCaps[] = {"none", "auto", "planar", "least-area"};
-constexpr const char* kCapLabels[] = {"None", "Planar where the rim is, else of least area",
-                                      "Plane", "Of least area"};
+constexpr const char* kCapLabels[] = {"None", "Planar for planar rims, else of least area", "Plane",
+                                      "Of least area"};
 
 PartOptions part_options(const plugin::Parameters& parameters) {
   PartOptions options;
@@ -74,9 +74,10 @@ class Cut : public MakesMeshes<Workspace> {
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
-    return {output(TALWEG_OUTPUT_MESH, "meshes", "Cut meshes", "",
-                   "One, or one for each piece; with attributes and origin (talweg_meshes.h)."),
-            output(TALWEG_OUTPUT_REPORT, "report", "Report", "", "What was cut, and the parts.")};
+    return {
+        output(TALWEG_OUTPUT_MESH, "meshes", "Cut meshes", "",
+               "One mesh, or one for each piece; with attributes and origin (talweg_meshes.h)."),
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "", "What was cut, and the parts.")};
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {

@@ -134,7 +134,8 @@ class Distance : public SmootherWorkspace {
     return values;
   }
 
-  /// The height of the lift; the direction of its phase does not matter.
+  /// The norm of the corridor's two-component lift at each vertex. The norm does not depend on the
+  /// lift's phase.
   [[nodiscard]] std::vector<double> corridor_potential(const plugin::Parameters& parameters) const {
     std::vector<Corridor::Valley> valleys;
     for (std::size_t c = 0; c < drawing().curves.size(); ++c) {

@@ -26,7 +26,7 @@ PlacedCurve placed(const talweg_curve* curve) {
     bad_call("A curve to write needs a face, barycentrics and a position for each of its points.");
   }
   if (curve->vertices.rows != 0 && curve->vertices.rows != n) {
-    bad_call("A curve to write has not as many vertices as points.");
+    bad_call("A curve to write has another number of vertices than of points.");
   }
   talweg_curve without_vertices = *curve;
   without_vertices.vertices = plugin::kNoArray;
@@ -37,7 +37,8 @@ PlacedCurve placed(const talweg_curve* curve) {
   result.pins = std::move(input.pins);
   std::sort(result.pins.begin(), result.pins.end());
   if (!result.pins.empty() && result.pins.back() >= n) {
-    bad_call("A curve to write has a pin at a point that it does not have.");
+    bad_call(
+        fmt::format("A curve to write has the pin {}, but only {} points.", result.pins.back(), n));
   }
   result.faces = std::get<std::vector<FaceCoordinates>>(std::move(input.points));
   const auto numbers = plugin::numbers_of(curve->positions, 3, "The curve's positions");
@@ -188,7 +189,7 @@ talweg_status read_on(const char* path, const char* mesh_unit, const talweg_mesh
       if (sink->curve == nullptr) continue;
       const Input input(curve);
       if (sink->curve(sink->context, &input.view()) != TALWEG_OK) {
-        throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take a curve.");
+        throw plugin::Failure(TALWEG_HOST_FAILED, "The host refused a curve.");
       }
     }
     tell(notes.c_str(), message, message_size);

@@ -21,8 +21,9 @@ constexpr std::uint32_t kNone = StrandNode::kNone;
 constexpr double kStraight = 1e-6;  // radians: a smaller turn is not split
 constexpr double kFloor = 3;        // mesh edges: a shorter loop has collapsed
 constexpr int kHalvings = 30;
-constexpr double kMargin = 1e-6;  // as part of an edge
-constexpr double kNear = 0.1;     // as part of an edge: nodes so near to a vertex may pass it
+constexpr double kMargin = 1e-6;  // as a fraction of an edge's length
+constexpr double kNear =
+    0.1;  // as a fraction of an edge's length: nodes so near to a vertex may pass it
 
 class EnvelopeSmoothing {
  public:

@@ -1,4 +1,5 @@
-// A vertex passage is what a curve leaves on either side where it passes a vertex of the mesh.
+// A vertex passage describes how a curve passes a vertex of the mesh: the vertex's edges on either
+// side of the curve, and the angles there.
 #pragma once
 
 #include <array>

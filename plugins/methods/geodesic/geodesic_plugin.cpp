@@ -1,4 +1,5 @@
-// talweg.geodesic: the straight path or loop that a drawing becomes when nothing holds it.
+// talweg.geodesic: straightens a drawing into a geodesic path or a closed geodesic, without a
+// potential that keeps the result near the drawing.
 #include <memory>
 #include <string>
 #include <vector>

@@ -54,9 +54,10 @@ class Labels : public MakesMeshes<MeshWorkspace> {
             TALWEG_STAGE_CURVES),
         array(TALWEG_FIELD, "vertex_labels", "Labels of vertices", "",
               "A whole number for each vertex.", TALWEG_STAGE_CURVES),
-        number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16}, "More keeps closer to the borders."),
+        number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16},
+               "Higher values keep closer to the borders."),
         number("slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-               "How exact the labels are. By default chosen for each border as talweg.smooth does.",
+               "How exact the labels are. By default chosen for each border as in talweg.smooth.",
                kRun, TALWEG_OPTIONAL),
         number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                "The largest deviation of each smoothed border from the given one, either way. By "
@@ -134,10 +135,11 @@ class Labels : public MakesMeshes<MeshWorkspace> {
     const std::vector<double>& triangles = parameters.field("triangle_labels");
     const std::vector<double>& vertices = parameters.field("vertex_labels");
     if (triangles.empty() == vertices.empty()) {
-      throw plugin::Failure(TALWEG_BAD_USAGE,
-                            triangles.empty()
-                                ? "There are no labels: set triangle_labels or vertex_labels."
-                                : "There are labels of triangles and of vertices; one is enough.");
+      throw plugin::Failure(
+          TALWEG_BAD_USAGE,
+          triangles.empty()
+              ? "There are no labels: set triangle_labels or vertex_labels."
+              : "Both triangle_labels and vertex_labels are set; set only one of them.");
     }
     Given given;
     given.by_triangle = vertices.empty();

@@ -30,7 +30,7 @@ class Measure : public Workspace {
              "one by one in their order if the numbers are equal, else all together."),
          plugin::number("edge", "Edge length", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "Length of the windows in which turning is measured. By default the mean "
-                        "edge near each curve; to compare curves give all the same.",
+                        "edge near each curve. Set the same length for curves that you compare.",
                         TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM)});
   }
   static std::vector<talweg_output> outputs() {

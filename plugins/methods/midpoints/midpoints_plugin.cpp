@@ -73,7 +73,8 @@ class Midpoints : public MethodWorkspace {
     made.iterations = static_cast<std::size_t>(levels);
     made.entries = {{"spacing", spacing}, {"control_points", control_points}};
     if (!drawing().pins.empty()) {
-      made.warnings.emplace_back("This method keeps no pinned points.");
+      made.warnings.emplace_back(
+          "This method ignores pins: the result need not pass the pinned points.");
     }
     return made;
   }

@@ -105,7 +105,7 @@ talweg_status read(const char* path, talweg_mesh_file_function take, talweg_text
     tell_all(lists.notes, left_out, context);
     const FileView file(lists, attributes);
     if (take(context, &file.view()) != TALWEG_OK) {
-      throw plugin::Failure(TALWEG_HOST_FAILED, "The host did not take the mesh.");
+      throw plugin::Failure(TALWEG_HOST_FAILED, "The host refused the mesh.");
     }
   });
 }
@@ -172,8 +172,8 @@ class Content {
     for (const char* text : texts) names.names.push_back(line_of(text, "A name"));
     for (const double value : column->values) {
       if (!(value >= 0 && value < static_cast<double>(texts.size()))) {
-        bad_call(fmt::format("The attribute \"{}\" has {}, and {} names.", names.keyword, value,
-                             texts.size()));
+        bad_call(fmt::format("The attribute \"{}\" has the value {}, but only {} names.",
+                             names.keyword, value, texts.size()));
       }
       names.of_face.push_back(static_cast<std::uint32_t>(value));
     }

@@ -72,11 +72,11 @@ std::vector<talweg_parameter> main_parameters() {
   using plugin::array, plugin::boolean, plugin::choice, plugin::integer, plugin::number;
   return {
       number("tau", "Tau", "", 1, {0, HUGE_VAL, 0, 16},
-             "0: straight lines; more keeps closer to the drawing."),
+             "0: straight lines; higher values keep closer to the drawing."),
       number(
           "slack", "Slack", "mesh units", 0, {0, HUGE_VAL, 0, 10},
-          "How exact the drawing is (corridor). By default as wide as the hand trembled, or 0.7 of "
-          "the median segment of a path along edges; at most 1/24 of the length.",
+          "How exact the drawing is (corridor). By default the width of the hand's tremor, or 0.7 "
+          "of the median segment of a path along edges; at most 1/24 of the length.",
           kRun, kOptional),
       number("max_deviation", "Largest deviation", "mesh units", 0, {0, HUGE_VAL, 0, 10},
              "Finds the smoothest curve that deviates from the drawing by no more than this, "
@@ -102,7 +102,7 @@ std::vector<talweg_parameter> main_parameters() {
             "Vertices of the drawing that the result passes through and may turn sharply at.",
             kCurves),
       choice("points", "Points", "given", kPoints, kPointLabels,
-             "given: as the drawing says; exact: way-points, between which the result is free; "
+             "given: by the drawing's marks; exact: way-points, between which the result is free; "
              "rough: a stroke, which the result keeps near.",
              kCurves),
       array(TALWEG_VERTICES, "exact", "Way-points", "",
@@ -155,7 +155,7 @@ std::vector<talweg_parameter> further_parameters() {
       number("potential_exponent", "Exponent of the potential", "", 2, {1, 16, 1, 4},
              "The exponent, if the potential is a power.", kRun, kAdvanced),
       number("potential_gain", "Gain of the potential", "", 10, {0, HUGE_VAL, 1, 100},
-             "The paper's a.", kRun, kAdvanced | TALWEG_OPEN_MINIMUM),
+             "The factor a of the paper's potential.", kRun, kAdvanced | TALWEG_OPEN_MINIMUM),
       choice("potential_length", "Length of the potential", "max_distance", kLengths, kLengthLabels,
              "The length that is L in the paper.", kRun, kAdvanced),
       number("given_length", "Given length", "mesh units", 0, {0, HUGE_VAL, 0, 100},

@@ -24,9 +24,9 @@ std::string potential_of(std::string_view id);
 /// contradict each other.
 CurveOptions curve_options_of(const plugin::Parameters& parameters);
 
-/// Sets the curves, with the distance if one is given; `map` leads from the numbers of its vertices
-/// to the mesh's if that was repaired. False when cancelled. Throws as CurveSmoother::set_curves()
-/// does.
+/// Sets the curves, with the distance if one is given. If the mesh was repaired, `map` converts the
+/// distance from the given mesh's vertices to the repaired mesh's. False when cancelled. Throws as
+/// CurveSmoother::set_curves() does.
 bool set_curves(CurveSmoother& smoother, std::span<const SurfaceCurve> curves,
                 const plugin::Parameters& parameters, const CurveOptions& options,
                 const Progress& progress, const RepairMap* map = nullptr);
@@ -41,8 +41,8 @@ PointMeaning point_meaning(std::string_view choice);
 /// The reading of the drawing's points; `exact` are the points of the parameter "exact".
 PointOptions point_options(const plugin::Parameters& parameters, std::vector<SurfacePoint> exact);
 
-/// A sentence on the parameters that do not apply because the drawing is `free`: it has
-/// only_way_points(). No sentence if they apply or are not set.
+/// A sentence on the set parameters that do not apply because the drawing is `free` (see
+/// only_way_points()); none if all apply.
 std::vector<std::string> idle_parameters(const plugin::Parameters& parameters, bool free);
 
 /// Smooths, within the largest deviation if one is set and the drawing is not `free`. Throws as

@@ -25,8 +25,8 @@ compile() { # compile TARGET SOURCE BUILD CMAKE-ARGUMENT...
     { tail -n 20 "$build.log" >&2; exit 1; }
 }
 compile cholmod "$here/cholmod" "$out/cholmod"
-# Run paths are final from the start: if CMake replaced longer ones, their space would remain. shellcheck
-# disable=SC2016  # $ORIGIN is the linker's
+# Run paths are final from the start: if CMake replaced longer ones, their space would remain.
+# shellcheck disable=SC2016  # $ORIGIN is the linker's
 compile talweg "$here/../../.." "$out/talweg" -DCMAKE_INSTALL_PREFIX=/opt/talweg -DCMAKE_INSTALL_LIBDIR=lib \
   -DCMAKE_BUILD_WITH_INSTALL_RPATH=ON \
   -DCMAKE_INSTALL_RPATH='$ORIGIN;$ORIGIN/../lib/talweg/plugins' -DTALWEG_SUPERNODAL=OFF \

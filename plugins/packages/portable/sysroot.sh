@@ -1,7 +1,7 @@
 #!/bin/sh
-# sysroot.sh ROOT MACHINE: what programs for x86_64 or aarch64 are compiled against: Debian 11's glibc (2.31) and
-# static libraries, and this machine's header-only libraries beside them. For aarch64 also the compiler, and qemu
-# to run what it makes, as ROOT/compiler. Needs apt and, the first time, the network.
+# sysroot.sh ROOT MACHINE: makes the sysroot for programs on x86_64 or aarch64: Debian 11's glibc (2.31) and static
+# libraries, and this machine's header-only libraries. For aarch64, ROOT/compiler gets the cross compiler, and qemu
+# to run its programs. Needs apt and, the first time, the network.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
@@ -21,7 +21,7 @@ find "$root/lib" "$root"/lib64 "$root/usr/lib" -type l -lname '/*' 2>/dev/null |
     case $target in "$root"/*) ;; *) ln -sfn "$root$target" "$link" ;; esac
   done
 
-# The unwinder of gcc 12 asks glibc 2.35 for help; that of gcc 10, with the same interface, does not.
+# The unwinder of gcc 12 calls a function of glibc 2.35. The unwinder of gcc 10 has the same interface and does not.
 parts=$root/talweg
 mkdir -p "$parts/include"
 ln -sfn "$root/usr/lib/gcc/$machine-linux-gnu/10/libgcc_eh.a" "$parts/libgcc_eh.a"

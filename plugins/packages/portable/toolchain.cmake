@@ -1,5 +1,5 @@
-# g++ 12 and its static C++ library against an older glibc, that of a root that sysroot.sh made for a machine
-# (TALWEG_SYSROOT, TALWEG_MACHINE): programs run wherever glibc is as old as the root's, or newer.
+# g++ 12 with its static C++ library, and the glibc of a sysroot that sysroot.sh made (TALWEG_SYSROOT) for a kind
+# of machine (TALWEG_MACHINE). Programs run wherever glibc is as old as the sysroot's, or newer.
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TALWEG_SYSROOT TALWEG_MACHINE)
 set(machine ${TALWEG_MACHINE}-linux-gnu)
 set(CMAKE_SYSTEM_NAME Linux)
@@ -9,7 +9,7 @@ set(CMAKE_CXX_COMPILER ${machine}-g++-12)
 set(CMAKE_SYSROOT ${TALWEG_SYSROOT})
 set(CMAKE_LIBRARY_ARCHITECTURE ${machine})
 
-# The compiler would look for its own headers inside the root, and for libraries outside of it.
+# By default the compiler would look for its own headers inside the root, and for libraries outside of it.
 set(libraries ${TALWEG_SYSROOT}/usr/lib/${machine})
 set(search "-B${libraries} -ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 # Unused functions are left out: copies in several sources, and parts of the core.

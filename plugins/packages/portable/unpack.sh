@@ -1,7 +1,7 @@
 #!/bin/sh
-# unpack.sh FOLDER SUITE ARCHITECTURE PACKAGE...: files of Debian's packages, without what these depend on, into
-# FOLDER; FOLDER/versions lists them. Nothing is installed, so the packages may be those of another machine, or
-# exclude what is installed. Needs apt and, the first time, the network.
+# unpack.sh FOLDER SUITE ARCHITECTURE PACKAGE...: unpacks Debian packages, without their dependencies, into FOLDER;
+# FOLDER/versions lists them. Nothing is installed, so the packages may be for another kind of machine, or conflict
+# with installed packages. Needs apt and, the first time, the network.
 set -eu
 mkdir -p "$1"
 folder=$(cd "$1" && pwd) suite=$2 architecture=$3

@@ -10,7 +10,7 @@ namespace talweg::picture {
 Eigen::Matrix3d axes_for(const Point& direction, const Point& up) {
   const Point forward = direction.normalized();
   Point right = up.normalized().cross(forward);
-  if (right.norm() < 1e-6) {  // the view is along `up`: any other upright direction does
+  if (right.norm() < 1e-6) {  // the view is along `up`: an axis serves as the upright direction
     int least = 0;
     forward.cwiseAbs().minCoeff(&least);
     right = Point::Unit(least).cross(forward);

@@ -193,17 +193,18 @@ int run(int argc, char** argv) {
                  "CAPTION[|curves=1,2][|fit=FIT][|zoom=Z][|view=x,y,z][|at=x,y,z][|mesh=FILE]"
                  "[|labels=FILE|pieces][|move=x,y,z]; several stand side by side, with meshes and "
                  "colours of their own");
-  app.add_option("--fit", a.fit, "What a picture without panels shows: auto, curve, mesh, detail");
+  app.add_option("--fit", a.fit,
+                 "The part that a picture without panels shows: auto, curve, mesh, detail");
   app.add_option("--zoom", a.zoom, "Enlarges what --fit chose");
   app.add_option("--view", a.view, "x,y,z: direction from the mesh to the viewer");
-  app.add_option("--up", a.up, "x,y,z: what points up in the picture");
+  app.add_option("--up", a.up, "x,y,z: direction that points up in the picture");
   app.add_option("--width", a.options.panel_width, "Width of a panel in pixels");
   app.add_option("--height", a.options.panel_height, "Height of a panel in pixels");
   app.add_option("--samples", a.options.supersampling, "Samples per pixel in x and in y");
   app.add_option(
          "--curvature", a.curvature,
-         "NAME,NAME: beneath the panels the curvature along the curves, in their order; the "
-         "first is drawn pale. A curve with the name - is left out")
+         "NAME,NAME: names of the curves, in their order, for a plot of their curvature beneath "
+         "the panels; the first is pale, and a curve with the name - is left out")
       ->delimiter(',');
   app.add_flag("--no-edges", a.no_edges, "No lines along the mesh's edges");
   try {

@@ -24,7 +24,7 @@ constexpr double kMissed = 1e-6, kInserted = 0.1;                   // h₀
 constexpr double kClickedBent = 0.15, kSwing = 0.25, kLonger = 1.08;
 constexpr double kMedianHandsApart = 0.25, kWorstHandsApart = 0.5;  // h₀
 constexpr double kMedianHandsOther = 1.5, kWorstHandsOther = 3, kHandsBent = 0.3;
-constexpr double kOther = 1.1;  // times, or once over that
+constexpr double kOther = 1.1;  // larger / smaller bending
 
 double percent(double part) { return 100 * part; }
 
@@ -139,7 +139,7 @@ void of_subdivisions(std::span<const Subdivision> subdivisions, std::vector<Goal
   }
   of_values("finer mesh: result apart from the coarse mesh's", " h₀", apart, kMedianApart,
             kWorstApart, goals);
-  of_values("finer mesh: bending over the coarse mesh's, or under", "", other, kOther, kOther,
+  of_values("finer mesh: bending on both meshes, larger / smaller", "", other, kOther, kOther,
             goals);
 }
 
@@ -154,13 +154,13 @@ void of_clicks(std::span<const ClickedRun> clicked, std::vector<Goal>& goals) {
     turns.push_back(run.largest_turn * 180 / std::numbers::pi);
   }
   of_values("clicks: farthest from the result", " h₀", missed, kMissed, kMissed, goals);
-  of_values("clicks: bending over that of the taut curve", "", bent, kClickedBent, kClickedBent,
+  of_values("clicks: bending / bending of the taut curve", "", bent, kClickedBent, kClickedBent,
             goals);
   of_values("clicks: largest turn at one point", "°", turns, kLargest, kLargest, goals);
-  of_values("clicks: farthest from the legs, of the shorter adjacent leg", "", swings, kSwing,
-            kSwing, goals);
-  of_values("clicks: length over that of the legs", "", longer, kLonger, kLonger, goals);
-  of_values("clicks: move when a point of the result becomes one", " h₀", moved, kInserted,
+  of_values("clicks: farthest from the legs / length of the shorter adjacent leg", "", swings,
+            kSwing, kSwing, goals);
+  of_values("clicks: length / length of the legs", "", longer, kLonger, kLonger, goals);
+  of_values("clicks: movement when a point of the result becomes a click", " h₀", moved, kInserted,
             kInserted, goals);
 }
 
@@ -174,7 +174,7 @@ void of_hands(std::span<const HandRun> hands, std::vector<Goal>& goals) {
   }
   of_values("hands: apart from the same hand, sampled 10 times per edge", " h₀", apart,
             kMedianHandsApart, kWorstHandsApart, goals);
-  of_values("hands: bending over that of this, or under", "", ratio, kMedianHandsOther,
+  of_values("hands: bending of both samplings, larger / smaller", "", ratio, kMedianHandsOther,
             kWorstHandsOther, goals);
   of_values("hands: bending", "", bending, kHandsBent, kHandsBent, goals);
 }

@@ -229,7 +229,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--hands", options.hands, "How many hands draw on each mesh")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of the generated drawings")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of the generated drawings")->capture_default_str();
   app.add_option("--potential", options.curve_options.method, "corridor or paper")
       ->transform(CLI::CheckedTransformer(std::map<std::string, Method>{
           {"corridor", Method::kCorridor}, {"paper", Method::kPaper}}));

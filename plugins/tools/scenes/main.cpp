@@ -92,19 +92,20 @@ int run(int argc, char** argv) {
                "The scenes of ./run gallery instead; the cortex has NAME.labels and no curve");
   std::size_t patients = 0;
   app.add_option("--patients", patients,
-                 "Instead: so many vessels of 5,000 to 50,000 faces, each with a drawing, and "
-                 "cases.csv for talweg smooth --batch")
+                 "Write this number of vessels instead, of 5,000 to 50,000 faces, each with a "
+                 "drawing, and cases.csv for talweg smooth --batch")
       ->check(CLI::Range(1, 100000));
   app.add_option("--through-for", mesh, "Print arguments for talweg draw on this mesh instead")
       ->excludes(out);
   std::vector<std::string> hand;
   std::uint64_t seed = 1;
-  app.add_option("--hand", hand,
-                 "MESH STROKE.obj: writes a stroke on this mesh instead, as a trembling hand and a "
-                 "tablet of ten samples per edge give it")
+  app.add_option(
+         "--hand", hand,
+         "MESH STROKE.obj: write a stroke on this mesh instead, of a trembling hand, with ten "
+         "samples of a tablet per edge")
       ->expected(2)
       ->excludes(out);
-  app.add_option("--seed", seed, "Of the hand")->capture_default_str();
+  app.add_option("--seed", seed, "Seed of the hand")->capture_default_str();
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {

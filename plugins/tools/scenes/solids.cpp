@@ -42,7 +42,7 @@ Tube::Tube(const std::vector<Ball>& balls, int steps)
 
 double Tube::operator()(const Point& p) const {
   const double away = (low_ - p).cwiseMax(p - high_).cwiseMax(0.0).norm();
-  if (away > 0.2) return away;  // farther than any seam is round
+  if (away > 0.2) return away;  // beyond the rounding of any seam
   double nearest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i + 1 < chain_.size(); ++i) {
     const Point d = chain_[i + 1].center - chain_[i].center;

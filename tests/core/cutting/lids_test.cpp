@@ -240,7 +240,7 @@ MeshLists twisted(std::uint32_t length, std::uint32_t width) {
   return lists;
 }
 
-TEST(Lids, AreRefusedWhereNoneIsFree) {
+TEST(Lids, AreRefusedIfEveryLidWouldMeetTheMesh) {
   // The strip between the two borders penetrates every lid of either border.
   const std::uint32_t n = 60;
   const MeshLists lists = twisted(n, 6);
@@ -288,7 +288,7 @@ TEST(Lids, DoNotGoThroughAWallExactlyAtItsVertices) {
   }
 }
 
-TEST(FillLoop, DoesWithoutWhatIsLeftOut) {
+TEST(FillLoop, UsesNoChordThatIsLeftOut) {
   const std::vector<Point> points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
   const std::uint32_t loop[] = {0, 1, 2, 3};
   const auto without = [&](std::uint32_t a, std::uint32_t b) {

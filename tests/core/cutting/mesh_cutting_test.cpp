@@ -171,7 +171,7 @@ TEST_F(MeshCutting, WhereCurvesCrossThereIsAVertexOfBoth) {
   EXPECT_EQ(common(cut.chains[2]), 1);
 }
 
-TEST_F(MeshCutting, MergesWhatLiesAsGoodAsAtAVertex) {
+TEST_F(MeshCutting, MergesPointsNearVertices) {
   const SurfaceMesh mesh = open(test::grid(4, 4));
   const Surface& surface = mesh.surface();
   const SurfacePoint near = test::between(surface, 6, 7, 1e-11);
@@ -282,7 +282,7 @@ TEST_F(MeshCutting, RandomCurvesOnManyMeshes) {
   EXPECT_GT(crossed, 40);
 }
 
-TEST_F(MeshCutting, CutAndWeldedItIsTheOldSurface) {
+TEST_F(MeshCutting, CutAndWeldedMeshesHaveTheOldSurface) {
   const MeshLists meshes[] = {test::hills(20), test::sphere(3), test::torus(24, 12)};
   std::mt19937 random(23);
   int runs = 0;
@@ -344,7 +344,7 @@ TEST_F(MeshCutting, RandomCurvesOnRealMeshes) {
   EXPECT_GT(done, meshes);
 }
 
-TEST_F(MeshCutting, RefusesWhatIsNoCurveAndNoMerge) {
+TEST_F(MeshCutting, RefusesBadCurvesAndMergeTolerances) {
   const SurfaceMesh mesh = open(test::grid(10, 10));
   SurfaceCurve jump;
   jump.points = {SurfacePoint::at_vertex(mesh.surface(), VertexId{0}),

@@ -125,7 +125,7 @@ TEST(MeshParts, SplittingGivesAPartForEachPiece) {
             made.parts[0].lists.points.size() + made.parts[1].lists.points.size());
 }
 
-TEST(MeshParts, ASideIsTheOneOnThatSide) {
+TEST(MeshParts, KeepingASideGivesThePieceOnThatSide) {
   const CutSheet sheet;
   // From (0, 1.25) to (4, 1.6): 5.7 of the area of 16 is below, on the right.
   EXPECT_NEAR(area(sheet.parts(kept_side(KeptSide::kRight)).parts.at(0).lists), 5.7, 1e-12);
@@ -148,7 +148,7 @@ TEST(MeshParts, OriginsLeadBackToTheMesh) {
   }
 }
 
-TEST(MeshParts, OnAnEdgeTheWeightIsThePartOfIt) {
+TEST(MeshParts, WeightsOnEdgesAreFractions) {
   const CutSheet sheet;
   const PartOrigins origins = origins_of(sheet.parts().parts[0], sheet.cut, sheet.mesh.surface());
   const std::uint32_t begin = origins.curves.at(0).vertices.at(0).at(0);
@@ -174,7 +174,7 @@ TEST(MeshParts, OriginsAreInTheNumbersBeforeTheRepair) {
   }
 }
 
-TEST(MeshParts, LidsComeFromNone) {
+TEST(MeshParts, FacesOfLidsHaveNoOrigin) {
   const SurfaceMesh tube = SurfaceMesh::open(test::tube(8, 4, 4));
   SurfaceCurve ring =
       test::vertex_curve(tube.surface(), test::ids({16, 17, 18, 19, 20, 21, 22, 23}), true);
@@ -191,7 +191,7 @@ TEST(MeshParts, LidsComeFromNone) {
   }
 }
 
-TEST(MeshParts, RefusesASideThatIsNone) {
+TEST(MeshParts, RefusesASideWithoutAPiece) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(4, 4));
   const SurfaceCurve slit = test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false);
   EXPECT_EQ(refused_parts(cut_along(mesh, {&slit, 1}), mesh, kept_side(KeptSide::kLeft)),

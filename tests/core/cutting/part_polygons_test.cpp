@@ -63,7 +63,7 @@ std::vector<SurfacePoint> across(const MeshLists& lists) {
   return {between(surface, 1, 2, 0.5), between(surface, 13, 14, 0.5)};
 }
 
-TEST(PartPolygons, WholeOnesStayAndPlaneOnesAreCutIntoPolygons) {
+TEST(PartPolygons, WholePolygonsStayAndPlanePolygonsAreCutIntoPolygons) {
   const MeshLists file = quads();
   const CutQuads cut(file, across(file));
   // Six quads are whole. The halves of the three others have one more corner, on the diagonal, and
@@ -81,7 +81,7 @@ TEST(PartPolygons, WholeOnesStayAndPlaneOnesAreCutIntoPolygons) {
   }
 }
 
-TEST(PartPolygons, OnesThatAreNotPlaneAreCutIntoTriangles) {
+TEST(PartPolygons, PolygonsThatAreNotPlaneAreCutIntoTriangles) {
   const MeshLists file = quads(0.3);
   const CutQuads cut(file, across(file));
   EXPECT_EQ(file.polygon_shapes.not_plane, 4U);

@@ -145,14 +145,14 @@ TEST(SeamOpening, AChainOfOneVertexOpensNothing) {
   }
 }
 
-TEST(SeamOpening, RefusesChainsThatAreNone) {
+TEST(SeamOpening, RefusesInvalidChains) {
   const MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain jump[] = {{false, {0, 50}}}, outside[] = {{false, {0, 5000}}};
   EXPECT_THROW(open_seams(lists, jump), Error);
   EXPECT_THROW(open_seams(lists, outside), Error);
 }
 
-TEST(SeamOpening, RefusesWhatIsNoSurfaceAroundAChain) {
+TEST(SeamOpening, RefusesAChainWhereTheMeshIsNoSurface) {
   MeshLists lists = test::grid(10, 10);
   const CutMesh::Chain chain[] = {{false, {45, 46}}};
   const MeshLists turned = test::with_turned_face(lists, 80);  // beside vertex 45
@@ -242,7 +242,7 @@ TEST(Lids, OfATorusCutOnceAreTwo) {
   EXPECT_NEAR(volume(tube.lists), volume(lists), 1e-12);
 }
 
-TEST(Lids, MustBePlaneWhereThatIsAskedFor) {
+TEST(Lids, MustBePlaneIfPlaneLidsAreRequested) {
   const auto opened = OpenedMesh::open(test::sphere(4));
   const auto points = test::circle({0, 0, 0}, {0.9, 0, 0.4}, {0, 1, 0}, 24);
   SurfaceCurve ring = test::drawn_near(opened->mesh(), points, true);  // along edges: jagged

@@ -28,7 +28,7 @@ TEST_F(Draw, ThroughVerticesAlongEdgesOrStraight) {
   options.straight = false;
   const Drawing edges = draw(surface(), clicks, options);
   for (const SurfacePoint& point : edges.curve.points) EXPECT_TRUE(point.is_vertex());
-  // Way-points say nothing of the way; a stroke is one along edges.
+  // The segments between way-points may be straight; a stroke is drawn along edges.
   const Drawing straight = draw(surface(), clicks);
   options.straight.reset();
   options.tolerance.reset();
@@ -69,7 +69,7 @@ TEST_F(Draw, ClicksMayHaveAToleranceOrBeAStroke) {
   EXPECT_TRUE(draw(surface(), clicks, options).way_points.empty());
 }
 
-TEST_F(Draw, RefusesWhatIsNoDrawing) {
+TEST_F(Draw, RefusesInvalidDrawings) {
   const auto code = [&](std::size_t count, double tolerance) {
     DrawOptions options;
     options.tolerance = tolerance;

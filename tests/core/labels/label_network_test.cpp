@@ -260,7 +260,7 @@ TEST(LabelNetwork, WithABudgetIsSoundForAnyWork) {
   }
 }
 
-TEST(LabelNetwork, RefusesWhatItCannotDo) {
+TEST(LabelNetwork, RefusesInvalidCalls) {
   const auto mesh = OpenedMesh::open(test::grid(12, 8));
   const auto code = [&](const Labels& labels, double tau, std::optional<double> bound) {
     try {

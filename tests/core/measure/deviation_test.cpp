@@ -30,7 +30,7 @@ double brute_force(const std::vector<Segment>& segments, const Point& p) {
   return best;
 }
 
-TEST(NearestSegment, FindsWhatLookingAtAllFinds) {
+TEST(NearestSegment, AgreesWithASearchOfAllSegments) {
   const auto walk = random_walk(300, 1);
   const NearestSegment tree(segments_of(walk, true));
   const std::vector<Segment> all(tree.segments().begin(), tree.segments().end());
@@ -51,7 +51,7 @@ TEST(NearestSegment, DistanceToOneSegment) {
   EXPECT_EQ(distance_to({s.a, s.a}, Point(0, 2, 0)), 2);
 }
 
-TEST(NearestSegment, RefusesNothingAndNan) {
+TEST(NearestSegment, RefusesEmptyListsAndNan) {
   EXPECT_THROW(NearestSegment({}), Error);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(NearestSegment({{Point(0, 0, 0), Point(0, nan, 0)}}), Error);

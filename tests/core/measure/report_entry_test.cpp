@@ -52,7 +52,7 @@ TEST(ReportEntries, AnEmptyListIsAnArrayThatElementsMayFollow) {
 }
 
 // Keys like years, or that begin with a digit, are names and not indices of arrays.
-TEST(ReportEntries, WhatIsNotTheNextIndexIsAName) {
+TEST(ReportEntries, ANumberThatIsNotTheNextIndexIsAName) {
   EXPECT_EQ(to_json({{"0", 1.0}, {"by_year.2026", 1.0}, {"by_code.01", 1.0}, {"in.2_h", 1.0}}, {}),
             "{\n  \"0\": 1.0,\n  \"by_year\": {\n    \"2026\": 1.0\n  },\n"
             "  \"by_code\": {\n    \"01\": 1.0\n  },\n  \"in\": {\n    \"2_h\": 1.0\n  }\n}\n");

@@ -120,7 +120,7 @@ TEST(Report, HasEachNumberUnderItsStableName) {
   }
 }
 
-TEST(Report, NumbersThatAreNoneBecomeNull) {
+TEST(Report, NumbersThatAreNotFiniteBecomeNull) {
   SmoothingReport r = numbered(1);
   r.deviation_to_drawn_max = kForever;
   r.deviation_from_drawn_mean = -kForever;
@@ -188,7 +188,7 @@ TEST(Farthest, HasPointsThatAreMissed) {
   EXPECT_EQ(farthest(r).at_least, 3);
 }
 
-TEST(Farthest, IsNothingWhereNothingWasMeasured) {
+TEST(Farthest, IsUnknownIfNothingWasMeasured) {
   const auto j = parsed(SmoothingReport{});
   EXPECT_TRUE(j["farthest"].is_null());
   EXPECT_EQ(j["farthest_at"], nlohmann::json({nullptr, nullptr, nullptr}));
@@ -265,7 +265,7 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   EXPECT_EQ(to_json(total_of({a})), to_json(a));
 }
 
-TEST(Report, TotalsOfWhatIsInfiniteAreInfinite) {
+TEST(Report, TotalsOfInfiniteDistancesAreInfinite) {
   SmoothingReport a = numbered(1), b = numbered(100);
   b.deviation_to_drawn_max = b.deviation_to_drawn_mean = kForever;
   b.after.length = 0;  // and not NaN

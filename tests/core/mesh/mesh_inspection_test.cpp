@@ -146,7 +146,7 @@ TEST(MeshInspection, OneSidedStrip) {
 }
 
 /// Found by random runs: a mesh of size 1e-6 at 5,000,000 from the origin is welded to one point.
-TEST(MeshInspection, WhatHasNoExtentAtAllIsNotCalledRepairable) {
+TEST(MeshInspection, AMeshWithoutExtentIsNotRepairable) {
   MeshLists lists = with_turned_face(box(), 3);
   for (Point& p : lists.points) p = 1e-12 * p + Point(5e6, 5e6, 5e6);
   const MeshInspection found = inspect(lists);
@@ -191,7 +191,7 @@ TEST(MeshInspection, OdditiesAreUsable) {
 }
 
 // The verdict agrees with opening the mesh.
-TEST(MeshInspection, WhatIsTooSmallIsNotUsable) {
+TEST(MeshInspection, ATooSmallMeshIsNotUsable) {
   for (const double unit : {1e-200, 1e-80, 1e-41, 1e-39, 1e39, 1e41, 1e80}) {
     MeshLists lists = sphere(2);
     for (Point& p : lists.points) p *= unit;

@@ -43,7 +43,7 @@ TEST(OpenedMesh, ASliderOfTheHeatTimeCostsTheMemoryOfTwo) {
   EXPECT_EQ(kept, 2);
 }
 
-TEST(OpenedMesh, FactorsThatSomebodyHoldsStay) {
+TEST(OpenedMesh, FactorsWithAnotherOwnerStay) {
   const auto opened = OpenedMesh::open(test::grid(12, 12));
   const auto held = opened->heat(10);
   const std::vector<WeightedVertex> sources{{VertexId{40}, 1}, {VertexId{41}, 1}};

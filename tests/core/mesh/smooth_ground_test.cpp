@@ -66,7 +66,7 @@ MeshLists cube(std::uint32_t n) {
   return lists;
 }
 
-TEST(SmoothGround, WhatIsSmoothOrHasEdgesIsNotRoughAndStaysAsItIs) {
+TEST(SmoothGround, SmoothAndSharpEdgedMeshesAreNotRoughAndStayUnchanged) {
   const std::vector<MeshLists> smooth{test::sphere(6), test::tube(60, 60, 6), cube(20),
                                       test::torus(60, 24)};
   for (const MeshLists& lists : smooth) {

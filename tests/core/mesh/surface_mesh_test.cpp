@@ -52,7 +52,7 @@ TEST(SurfaceMesh, PositionsOfAllKindsOfPoints) {
   EXPECT_EQ(all[2], Point(1, 4, 0));
 }
 
-TEST(SurfaceMesh, OpensWhatIsOddButSound) {
+TEST(SurfaceMesh, OpensOddButSoundMeshes) {
   EXPECT_EQ(refusal_of(with_isolated_vertices(grid(3, 2), 5)), "");
   EXPECT_EQ(refusal_of(together(torus(6, 5), grid(2, 2), 10)), "");
   EXPECT_EQ(refusal_of(together(grid(2, 2), grid(2, 2), 0)), "");  // the same place twice
@@ -105,7 +105,7 @@ TEST(SurfaceMesh, TinyAndHugeUnits) {
   }
 }
 
-TEST(SurfaceMesh, WhatIsTooLargeOrTooSmallIsRefusedWithTheLimitAndWhatWasFound) {
+TEST(SurfaceMesh, TooLargeOrTooSmallMeshesAreRefusedWithLimitAndFoundValue) {
   const auto scaled = [](double unit) {
     MeshLists lists = grid(10, 10);
     for (Point& p : lists.points) p *= unit;

@@ -282,7 +282,7 @@ TYPED_TEST(EmbedCurves, AgainAndAgain) {
   EXPECT_EQ(euler(surface_of(mesh).surface()), 2);
 }
 
-TEST(EmbedCurvesInSinglePrecision, MergesWhatFloatCannotTellApart) {
+TEST(EmbedCurvesInSinglePrecision, MergesPointsThatAreEqualInSinglePrecision) {
   MeshLists lists = grid(4, 4);
   for (Point& p : lists.points) p += Point(4096, 4096, 0);  // numbers are 2^-11 apart there
   auto mesh = openmesh_of<FloatMesh>(lists);
@@ -301,7 +301,7 @@ TEST(EmbedCurvesInSinglePrecision, MergesWhatFloatCannotTellApart) {
 }
 
 /// One curve goes straight, the other over a point that lies 1e-9 beside it.
-TEST(EmbedCurvesInSinglePrecision, RefusesToTurnAFaceOver) {
+TEST(EmbedCurvesInSinglePrecision, RefusesToInvertAFace) {
   OwnProperties own;
   std::mt19937 random(1);
   auto mesh = openmesh_of<FloatMesh>(grid(1, 1));

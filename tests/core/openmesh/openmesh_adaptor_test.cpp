@@ -33,7 +33,7 @@ TEST(OpenMeshAdaptor, DeletedElementsAreSkipped) {
   mesh.request_edge_status();
   mesh.request_halfedge_status();
   mesh.request_face_status();
-  // The corner vertex 3 lies in the faces 4 (2, 3, 7) and no other.
+  // The corner vertex 3 lies only in face 4 (2, 3, 7).
   mesh.delete_vertex(mesh.vertex_handle(3));
   OpenMeshIds ids;
   const SurfaceMesh opened = surface_of(mesh, &ids);

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 json json_of(const std::vector<ReportEntry>& entries) { return json::parse(to_json(entries, {})); }
 
-TEST(InspectionReport, TellsWhatASoundMeshIs) {
+TEST(InspectionReport, DescribesASoundMesh) {
   const json found = json_of(entries_of(inspect(test::grid(3, 2))));
   EXPECT_EQ(found["faces"], 12);
   EXPECT_EQ(found["vertices"], 12);
@@ -63,7 +63,7 @@ TEST(InspectionReport, EdgesHaveTheirFaces) {
   EXPECT_TRUE(found["genus"].is_null());
 }
 
-TEST(InspectionReport, TellsWhatARepairDid) {
+TEST(InspectionReport, ListsTheChangesOfARepair) {
   const MeshLists twice = test::with_duplicate_face(test::grid(3, 2), 4, false);
   const RepairedMesh repaired = repair(twice);
   const json found = json_of(entries_of(repaired.changes, inspect(repaired.lists)))["repair"];
@@ -75,7 +75,7 @@ TEST(InspectionReport, TellsWhatARepairDid) {
   EXPECT_EQ(found["verdict"], "usable");
 }
 
-TEST(InspectionReport, TellsWhatWeldingWouldGive) {
+TEST(InspectionReport, TellsTheEffectOfWelding) {
   MeshLists soup;  // two triangles of one square, apart
   for (const Triangle& t : test::grid(1, 1).triangles) {
     for (const std::uint32_t v : t) soup.points.push_back(test::grid(1, 1).points[v]);

@@ -290,7 +290,7 @@ TEST(MeshRepair, BowTiesArePartedAndIsolatedVerticesStay) {
   EXPECT_EQ(inspect(repaired.lists).isolated_vertices.count, 1U);
 }
 
-TEST(MeshRepair, WhatWeldingAndSplittingUndoIsUnchanged) {
+TEST(MeshRepair, AMeshWhoseWeldIsSplitAgainIsUnchanged) {
   // Two spheres that touch in a point, with separate vertices there.
   const MeshLists file = together(sphere(1), sphere(1), 2);
   ASSERT_EQ(inspect(file).duplicate_positions.count, 1U);
@@ -319,7 +319,7 @@ TEST(MeshRepair, TheListOfSteps) {
   }
 }
 
-TEST(MeshRepair, WhatNoRepairMends) {
+TEST(MeshRepair, DefectsThatNoRepairMends) {
   EXPECT_THROW(repair(MeshLists{}), Error);
   EXPECT_THROW(repair(with_index_out_of_range(sphere(1), 3)), Error);
   EXPECT_THROW(repair(with_coordinate(sphere(1), 3, std::nan(""))), Error);
@@ -459,7 +459,7 @@ MeshLists soup_of(const MeshLists& mesh) {
   return soup;
 }
 
-TEST(MeshRepair, ASoupIsToldWhatWeldingWouldGive) {
+TEST(MeshRepair, TellsTheEffectOfWeldingASoup) {
   const MeshLists soup = soup_of(grid(4, 3));  // 20 vertices, 24 faces
   const MeshInspection before = inspect(soup);
   EXPECT_EQ(before.verdict, MeshVerdict::kUsable);

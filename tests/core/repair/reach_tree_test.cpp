@@ -14,7 +14,7 @@
 namespace talweg {
 namespace {
 
-TEST(ReachTree, JoinsWhatComparingAllPairsJoins) {
+TEST(ReachTree, AgreesWithComparisonsOfAllPairs) {
   std::size_t apart = 0, joined = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);

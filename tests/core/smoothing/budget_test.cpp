@@ -84,7 +84,7 @@ TEST_F(SmoothingBudget, GivesAWholeCurveForAnyWork) {
   EXPECT_GT(ended, 8U);
 }
 
-TEST_F(SmoothingBudget, OfHugeWorkOrTimeIsAsNone) {
+TEST_F(SmoothingBudget, OfHugeWorkOrTimeEqualsNoBudget) {
   for (const double tau : {0.0, 0.05, 1.0, 3.0}) {
     SmoothingOptions none = with_work(kHuge, tau), time = none;
     none.budget = {};
@@ -204,7 +204,7 @@ TEST(SparedDeviation, IsABoundWhereMeasuringWouldTakeFarLongerThanSmoothing) {
   EXPECT_LE(report.deviation_at_least, exact.deviation_at_least * (1 + 1e-3));
 }
 
-TEST(Budget, MustBeMoreThanNothing) {
+TEST(Budget, MustBePositive) {
   SmoothingOptions options;
   options.budget.work = 0;
   EXPECT_THROW(options.validate(), Error);

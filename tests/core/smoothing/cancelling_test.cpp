@@ -255,7 +255,7 @@ TEST(Cancelling, SmoothingAtAnyMomentGivesTheDrawingAndChangesNothing) {
 }
 
 // An exception of the callback reaches the caller, and leaves the smoother unchanged.
-TEST(Cancelling, WhatACallbackThrowsComesOutAndChangesNothing) {
+TEST(Cancelling, AnExceptionOfACallbackReachesTheCallerAndChangesNothing) {
   struct Thrown {};
   std::mt19937 random(19);
   for (const Job& job : jobs()) {
@@ -289,7 +289,7 @@ TEST(Cancelling, WhatACallbackThrowsComesOutAndChangesNothing) {
   }
 }
 
-TEST(Cancelling, OtherPinsAtAnyMomentKeepsTheOnesThatAreSet) {
+TEST(Cancelling, SettingOtherPinsAtAnyMomentKeepsTheEarlierPins) {
   std::mt19937 random(13);
   for (const Job& job : jobs()) {
     if (job.options.method == Method::kPaper) continue;

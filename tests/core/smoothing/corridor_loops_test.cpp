@@ -56,7 +56,7 @@ SurfaceCurve on_grid(const Surface& surface, std::uint32_t columns,
 }
 
 /// A set with a thin loop asks about as often during fairing as its curves alone.
-TEST(CorridorLoops, AThinOneHoldsAndCostsOthersNothing) {
+TEST(CorridorLoops, AThinLoopHoldsAndDoesNotSlowOtherCurves) {
   constexpr std::uint32_t kAcross = 60;
   const auto opened = OpenedMesh::open(grid(kAcross, kAcross));
   std::vector<SurfaceCurve> lines;

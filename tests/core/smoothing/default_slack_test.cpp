@@ -60,14 +60,14 @@ TEST_F(DefaultSlack, ASquareWaveIsSevenTenthsOfItsStepWide) {
   EXPECT_NEAR(slack_of(opened, test::square_wave(surface, kColumns, 4, 2)), 0.7 * 4, kTiny);
 }
 
-TEST_F(DefaultSlack, AZigzagThroughFacesIsAsWideAsItIs) {
+TEST_F(DefaultSlack, OfAZigzagThroughFacesIsHalfItsWidth) {
   std::vector<double> heights(kColumns + 1, 0);
   for (std::size_t i = 1; i < heights.size(); i += 2) heights[i] = 0.5;
   const SurfaceCurve zigzag = over_row(surface, heights);
   EXPECT_NEAR(slack_of(opened, zigzag), 0.25, 0.04);  // to either side of its middle
 }
 
-TEST_F(DefaultSlack, NoneIsLessThanATenthOfAnEdge) {
+TEST_F(DefaultSlack, IsAtLeastATenthOfAnEdge) {
   std::vector<double> heights(kColumns + 1, 0);
   for (std::size_t i = 1; i < heights.size(); i += 2) heights[i] = 0.04;  // turns by 0.08
   const double edge = (2 + std::numbers::sqrt2) / 3;

@@ -213,7 +213,7 @@ TEST_F(Dragging, TakesASlackAlongTheDrawing) {
   EXPECT_LT(apart(smoother.drag(0, moved, {.slack_at = {constant}}).curve(), plain), 0.01 * edge);
 }
 
-TEST_F(Dragging, RefusesWhatItCannotDo) {
+TEST_F(Dragging, RefusesInvalidCalls) {
   const auto code_of = [&](std::size_t curve, const SurfaceCurve& moved, double tau) {
     try {
       smoother.drag(curve, moved, {.tau = tau});

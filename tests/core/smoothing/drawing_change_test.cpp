@@ -34,7 +34,7 @@ std::vector<std::size_t> come(const DrawingChange& c) {
 }
 using Ids = std::vector<std::size_t>;
 
-TEST(DrawingChange, OfAnOpenCurveIsWhatLiesBetweenItsCommonEnds) {
+TEST(DrawingChange, OfAnOpenCurveIsThePartBetweenTheCommonEnds) {
   const DrawingChange change =
       change_between(curve({0, 1, 2, 3, 4, 5}, false), curve({0, 1, 12, 13, 14, 4, 5}, false));
   EXPECT_EQ(change.kept_before, 2U);

@@ -23,7 +23,7 @@ class FairLadderTest : public testing::Test {
   const SurfaceCurve drawn = test::wave_on_hills(opened->mesh());
 };
 
-TEST_F(FairLadderTest, WhatWasAskedBeforeChangesNothing) {
+TEST_F(FairLadderTest, EarlierCallsChangeNothing) {
   const double taus[] = {0.3, 1, 7};
   std::vector<std::vector<SurfacePoint>> expected;
   for (const double tau : taus) expected.push_back(fresh({.tau = tau}));

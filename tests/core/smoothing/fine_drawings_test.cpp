@@ -86,7 +86,7 @@ TEST(FineDrawings, GeodesicsStayStraight) {
   EXPECT_LT(result.report().after.total_curvature, 1e-6);
 }
 
-TEST(FineDrawings, ResultsDoNotDependOnWhatWasAskedBefore) {
+TEST(FineDrawings, ResultsDoNotDependOnEarlierCalls) {
   const auto opened = OpenedMesh::open(sheet(2));
   const SurfaceCurve drawn = straight_through(opened->mesh(), wave(200, 0.05), false);
   CurveSmoother smoother(opened), other(opened);
@@ -206,7 +206,7 @@ TEST(FineDrawings, OfASetDoNotCross) {
 
 // For tau < 1/8 a result may be anywhere; only the faces that it reaches are divided, not the faces
 // beyond.
-TEST(FineDrawings, CostWhatTheyComeToWhateverTheMesh) {
+TEST(FineDrawings, CostDependsOnTheResultNotOnTheMesh) {
   const auto asked_on = [](std::uint32_t count) {
     MeshLists lists = grid(count, count);
     for (Point& p : lists.points) p *= 2;  // the sheet of 4 x 4 squares and more around it

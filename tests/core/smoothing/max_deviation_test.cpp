@@ -67,7 +67,7 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
 }
 
 // The search uses a wide bound: no fixed slack gives a much smoother curve within it.
-TEST_F(MaxDeviation, OfTheWholeRoomUseIsMade) {
+TEST_F(MaxDeviation, IsUsedFully) {
   const auto hills = OpenedMesh::open(test::hills(40));
   const SurfaceCurve wave = test::wave_on_hills(hills->mesh());
   CurveSmoother smoother(hills);
@@ -169,7 +169,7 @@ TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
 }
 
 // Products of two such bounds are 0.
-TEST_F(MaxDeviation, OneOfHardlyAnythingEndsTheSearch) {
+TEST_F(MaxDeviation, OfNearlyZeroEndsTheSearch) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smooth_within(smoother, 1e-200);
@@ -178,7 +178,7 @@ TEST_F(MaxDeviation, OneOfHardlyAnythingEndsTheSearch) {
 
 // A quarter of a circle in unit steps, to the right and down. With such a wide slack only pins hold
 // the curve, and the search does not pin each of the 290 corners.
-TEST_F(MaxDeviation, OneThatCannotBeKeptIsTold) {
+TEST_F(MaxDeviation, ThatCannotBeKeptIsReported) {
   const std::uint32_t n = 150;
   const auto sheet = OpenedMesh::open(grid(n, n));
   std::vector<VertexId> stairs;
@@ -216,7 +216,7 @@ TEST_F(MaxDeviation, PinsStayAndAreMet) {
   EXPECT_EQ(smoother.smooth(1).curve().points, expected);
 }
 
-TEST_F(MaxDeviation, TakesTheSlackThatItIsGiven) {
+TEST_F(MaxDeviation, UsesAGivenSlack) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   SmoothingOptions options;
@@ -226,7 +226,7 @@ TEST_F(MaxDeviation, TakesTheSlackThatItIsGiven) {
   EXPECT_EQ(result.report().slack, 0.25);
 }
 
-TEST_F(MaxDeviation, IsTheSameAgain) {
+TEST_F(MaxDeviation, IsDeterministic) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const auto once = smooth_within(smoother, 0.7).curve().points;
@@ -248,7 +248,7 @@ TEST_F(MaxDeviation, ACancelledSearchEndsAndLeavesThePins) {
   }
 }
 
-TEST_F(MaxDeviation, RefusesABoundThatIsNone) {
+TEST_F(MaxDeviation, RefusesInvalidBounds) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   for (const double bad : {0.0, -1.0, HUGE_VAL, std::nan("")}) {

@@ -68,7 +68,7 @@ class MissedPoints : public testing::Test {
   const std::shared_ptr<const OpenedMesh> opened = OpenedMesh::open(test::grid(30, 30));
 };
 
-TEST_F(MissedPoints, NothingIsSaidWhereAllArePassed) {
+TEST_F(MissedPoints, AreNotMentionedIfAllPointsArePassed) {
   EXPECT_TRUE(said(smooth_through({{2, 2}, {2, 12}, {14, 12}, {14, 4}})).empty());
 }
 

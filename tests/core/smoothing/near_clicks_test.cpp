@@ -63,7 +63,7 @@ TEST_F(NearClicks, ALoopMayBeClosedByAClickBesideTheFirst) {
   for (const auto& [x, y] : kRing) EXPECT_LT(missed(result, x, y), 1.1);
 }
 
-TEST_F(NearClicks, NoneIsLostWhereNoneAreOne) {
+TEST_F(NearClicks, AllAreKeptIfTheDistanceIsZero) {
   auto twice = kRing;
   twice.insert(twice.begin() + 4, {kRing[3][0] - 0.8, kRing[3][1]});
   CurveOptions options;
@@ -81,7 +81,7 @@ TEST_F(NearClicks, NoneIsLostWhereNoneAreOne) {
   for (const Point& p : far) EXPECT_NEAR((p - Point(12, 12, 0)).norm(), 10, 0.6);
 }
 
-TEST_F(NearClicks, ThoseThatAreAllNearAreAllMeant) {
+TEST_F(NearClicks, ClicksThatAreAllNearAreAllKept) {
   std::vector<std::array<double, 2>> line;
   for (int k = 0; k < 12; ++k) line.push_back({6.0 + k, 12 + 0.5 * std::sin(k)});
   const SmoothingResult result = smoothed(line, false);

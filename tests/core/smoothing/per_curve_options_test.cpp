@@ -99,7 +99,7 @@ TEST_F(PerCurveOptions, FollowTheirCurvesInAnyOrder) {
   EXPECT_EQ(other.reports[2].tau, 4);
 }
 
-TEST_F(PerCurveOptions, WhatWasAskedBeforeChangesNothing) {
+TEST_F(PerCurveOptions, EarlierCallsChangeNothing) {
   const SmoothingOptions asked[] = {
       {.per_curve = {{.tau = 0.3}, {.tau = 1}, {.tau = 6}}},
       {.per_curve = {{.tau = 0.3}, {.tau = 0.02}, {.tau = 6}}},

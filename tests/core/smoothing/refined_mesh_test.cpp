@@ -94,7 +94,7 @@ TEST(RefinedMesh, IsTheSameSurfaceInSmallerFaces) {
   }
 }
 
-TEST(RefinedMesh, TakesWhatIsInReachOnly) {
+TEST(RefinedMesh, RefinesOnlyFacesInReach) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(100, 100));
   const SurfaceCurve drawn =
       straight_through(mesh, {Point(50.1, 50.2, 0), Point(50.5, 50.3, 0)}, false);

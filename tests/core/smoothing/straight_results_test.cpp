@@ -56,7 +56,7 @@ Outcome outcome_of(const std::shared_ptr<const OpenedMesh>& opened, const Surfac
 }
 
 // Questions count the work: see cancelling_test.cpp.
-TEST(StraightResults, CostWhatStraighteningCosts) {
+TEST(StraightResults, CostNoMoreThanStraightening) {
   const auto opened = OpenedMesh::open(hills(160));
   const SurfaceCurve drawn = winding(opened->mesh(), 160);
   const Outcome straight = outcome_of(opened, drawn, 0), unfelt = outcome_of(opened, drawn, 1e-6),
@@ -69,7 +69,7 @@ TEST(StraightResults, CostWhatStraighteningCosts) {
   EXPECT_GT(felt.asked, 2 * straight.asked);
 }
 
-TEST(StraightResults, AreThoseOfAFlatPotentialAndOfTausThatAreNotFelt) {
+TEST(StraightResults, EqualThoseOfAFlatPotentialAndOfTausWithoutEffect) {
   const auto opened = OpenedMesh::open(hills(60));
   const std::vector<double> flat(opened->surface().vertex_count(), 0.0);
   for (const bool paper : {false, true}) {
@@ -88,7 +88,7 @@ TEST(StraightResults, AreThoseOfAFlatPotentialAndOfTausThatAreNotFelt) {
 
 // At the smallest tau with an effect, the length differs from the geodesic's by about the ignored
 // fraction of 1e-7.
-TEST(StraightResults, GrowIntoLiftedOnes) {
+TEST(StraightResults, ApproachLiftedResultsContinuously) {
   const auto opened = OpenedMesh::open(hills(60));
   CurveSmoother smoother(opened);
   smoother.set_curve(winding(opened->mesh(), 60));

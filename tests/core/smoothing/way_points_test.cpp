@@ -63,7 +63,7 @@ const std::vector<std::pair<std::uint32_t, std::uint32_t>> kWave = {
     {5, 10}, {17, 30}, {30, 12}, {40, 33}, {54, 25}};
 
 /// Clicks with rounded barycentric coordinates, as other programs compute them.
-TEST_F(WayPointsOnHills, MayLieARoundingBesideVertices) {
+TEST_F(WayPointsOnHills, MayDifferFromVerticesByRounding) {
   const auto smooth_through = [&](double beside) {
     std::vector<SurfacePoint> clicks;
     for (const auto& [x, y] : kWave) {
@@ -211,7 +211,7 @@ TEST_F(WayPointsOnHills, AreDraggedToWhereTheyWouldBeSet) {
   EXPECT_EQ(smoother.smooth(1).curve().points, before.points);
 }
 
-TEST_F(WayPointsOnHills, WhateverWasDraggedBeforeChangesNothing) {
+TEST_F(WayPointsOnHills, EarlierDragsChangeNothing) {
   std::vector<VertexId> clicks;
   const std::vector<std::pair<std::uint32_t, std::uint32_t>> at = {
       {6, 9}, {25, 8}, {50, 14}, {48, 50}, {10, 46}};
@@ -244,7 +244,7 @@ TEST_F(WayPointsOnHills, WhateverWasDraggedBeforeChangesNothing) {
   }
 }
 
-TEST_F(WayPointsOnHills, WhateverTauWasBeforeChangesNothing) {
+TEST_F(WayPointsOnHills, EarlierTausChangeNothing) {
   draw(kWave, false);
   CurveSmoother asked(opened);
   asked.set_curve(drawn, options);
@@ -270,7 +270,7 @@ TEST_F(WayPointsOnHills, WhateverTauWasBeforeChangesNothing) {
   EXPECT_EQ(asked.smooth(1).curve().points, smooth_curve(opened, drawn, {}, pinned).curve().points);
 }
 
-TEST_F(WayPoints, ABoundIsThatOfTheStrokesOnly) {
+TEST_F(WayPoints, ABoundAppliesToStrokesOnly) {
   // A stroke that trembles by half an edge, and a leg whose drawing is a wide detour.
   SurfaceCurve detour{false, {}};
   for (std::uint32_t x = 4; x < 30; ++x) {
@@ -293,7 +293,7 @@ TEST_F(WayPoints, ABoundIsThatOfTheStrokesOnly) {
   EXPECT_LT(curve_length(surface(), within.curve()), 35);  // the leg is straight
 }
 
-TEST_F(WayPointsOnHills, TheWayDrawnBetweenThemMayBeAsFineAsItLikes) {
+TEST_F(WayPointsOnHills, TheDrawingBetweenThemMayBeFine) {
   draw(kWave, false);
   const SurfaceCurve before = smooth(1).curve();
   drawn = before;  // many points inside faces
@@ -371,7 +371,7 @@ TEST_F(WayPoints, TwoOnALoopAreItsPins) {
   EXPECT_GT(curve_length(surface(), result.curve()), 120);
 }
 
-TEST_F(WayPoints, WhatIsNotOnTheDrawingIsRefused) {
+TEST_F(WayPoints, PointsOffTheDrawingAreRefused) {
   draw(kWave, false);
   const auto message = [&](const CurveOptions& bad) -> std::string {
     try {

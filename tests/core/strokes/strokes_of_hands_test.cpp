@@ -267,7 +267,7 @@ TEST_F(StrokesOfHands, AreTheSameFromTheirOtherEnd) {
 }
 
 /// A drawn U, 20 wide and 250 long, sampled every 13, all in units of 1/13.
-TEST_F(StrokesOfHands, KeepTheNarrowThatWasMeant) {
+TEST_F(StrokesOfHands, KeepNarrowShapesThatWereMeant) {
   const double width = 20.0 / 13, length = 250.0 / 13;
   std::vector<Point> points;
   const auto add = [&](double s) {

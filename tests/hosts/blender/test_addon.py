@@ -71,7 +71,7 @@ class Addon(unittest.TestCase):
                                  result.total.curvature_after)
                 bpy.data.objects.remove(shown)
 
-    def test_what_is_not_ticked_shows_what_was_used(self):
+    def test_options_that_are_not_ticked_show_the_used_values(self):
         panel = types.SimpleNamespace(mean_edge=0, use_slack=False, slack=1, shown_slack=1,
                                       use_max_deviation=True, max_deviation=1, shown_max_deviation=1,
                                       use_click_distance=True, click_distance=1, shown_click_distance=1)

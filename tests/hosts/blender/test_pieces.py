@@ -330,7 +330,7 @@ class Meshes(Dressed):
         bpy.context.view_layer.objects.active = self.obj
         self.refused("hidden", ops.repair)
 
-    def test_what_was_cut_can_be_cut_again(self):
+    def test_a_cut_mesh_can_be_cut_again(self):
         """Polygons on both sides of a nearly straight line must not share a triangle."""
         across()
         self.assertEqual(bpy.ops.talweg.cut(), {"FINISHED"})

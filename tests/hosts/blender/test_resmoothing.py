@@ -69,7 +69,7 @@ class Again(unittest.TestCase):
         self.assertEqual(session.last_result().total.ridge_moved, 0)
         self.assertIn("stays as it was drawn", " ".join(sentences.others_of(report(curve))))
 
-    def test_what_is_not_ticked_shows_what_was_used(self):
+    def test_options_that_are_not_ticked_show_the_used_values(self):
         curve = self.made()
         total = session.last_result().total
         self.assertAlmostEqual(curve.talweg.slack, total.slack, places=6)
@@ -134,7 +134,7 @@ class Again(unittest.TestCase):
         curve.talweg.tau = 2.5
         np.testing.assert_array_equal(scene.spline_points(curve), before)
 
-    def test_what_goes_wrong_leaves_the_curve(self):
+    def test_errors_leave_the_curve_unchanged(self):
         curve = self.made()
         before = scene.spline_points(curve)
         curve.talweg.taus = "1 2 3"
@@ -352,7 +352,7 @@ class Repaired(unittest.TestCase):
         scene.select_edges(self.obj, support.staircase())
         self.assertEqual(bpy.ops.talweg.smooth_edges(), {"FINISHED"})
 
-    def test_what_cannot_be_repaired_offers_nothing(self):
+    def test_an_unrepairable_mesh_offers_no_repair(self):
         scene.empty()
         self.obj = scene.add_mesh([[0, 0, 0], [1, 0, 0]], [])
         scene.annotate([[[0, 0, 0], [1, 0, 0]]])

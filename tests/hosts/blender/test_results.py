@@ -69,7 +69,7 @@ class Seen(Results):
         self.assertAlmostEqual(curve_object.radius(cube, 1), 12**0.5 / 150)
         self.assertAlmostEqual(curve_object.radius(cube, 0.5), 12**0.5 / 300)
 
-    def test_the_sidebar_says_what_is_without_modifiers(self):
+    def test_the_sidebar_says_that_cuts_are_without_modifiers(self):
         said = []
         layout = SimpleNamespace(label=lambda text, icon="": said.append(text), operator=lambda *_, **__: None)
         panel._of_mesh(layout, self.obj)
@@ -218,7 +218,7 @@ class Astray(Results):
         self.smooth()
         self.assertNotIn("Stroke 0", self.printed)
 
-    def test_what_is_measured_is_measured_once(self):
+    def test_each_value_is_measured_once(self):
         asked = []
 
         def measure():

@@ -101,7 +101,7 @@ class Survival(test_pieces.Dressed):
         np.testing.assert_allclose(normals, tilted(mesh), atol=0.01)
         self.assertLess(attributes.read(mesh.edges, "use_edge_sharp", 1, bool).sum(), sharp + 5)
 
-    def test_what_is_lost_is_said(self):
+    def test_lost_attributes_are_reported(self):
         self.obj.data.attributes.new("Note", "STRING", "POINT")
         arrays = drawings.MeshArrays(self.obj.data)
         self.assertEqual(jobs.now(cutting.repair(self.obj, arrays, "drop"))[1],

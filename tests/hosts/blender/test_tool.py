@@ -43,7 +43,7 @@ def curve_objects():
 
 
 class Views(unittest.TestCase):
-    def test_rays_meet_what_was_projected(self):
+    def test_rays_meet_the_projected_points(self):
         """In a perspective view, too, a point lies on the ray through its pixel."""
         perspective = np.array([[1.2, 0, 0, 0], [0, 1.6, 0, 0], [0, 0, -1.002, -0.2], [0, 0, -1, 0]])
         turned = np.eye(4)
@@ -59,7 +59,7 @@ class Views(unittest.TestCase):
     def test_a_pixel(self):
         self.assertAlmostEqual(from_above().pixel_at([20, 30, 0]), 0.1)
 
-    def test_what_is_near(self):
+    def test_nearest_points_and_segments(self):
         flat = np.array([[0, 0], [10, 0], [10, 10]], float)
         self.assertEqual(seen.nearest_point(flat, [9, 1], 3), [1])
         self.assertEqual(seen.nearest_point(flat, [5, 5], 3), [])
@@ -234,7 +234,7 @@ class Hand(unittest.TestCase):
         self.work.pin(self.view, pixel(30, 14))  # the second time removes the pin
         self.assertFalse(any(point.exact for point in self.work.editor.lines[0].points))
 
-    def test_what_is_behind_is_not_taken_hold_of(self):
+    def test_hidden_points_are_not_grabbed(self):
         scene.empty()
         self.obj = scene.add_mesh(*support.torus())
         made = self.begin()
@@ -323,7 +323,7 @@ class Hand(unittest.TestCase):
             told, _ = made.finish(bpy.context)
             self.assertIn(resmoothing.numbers(bpy.context, made.curve), told)
 
-    def test_enter_does_not_smooth_again_what_is_seen(self):
+    def test_enter_does_not_smooth_a_shown_result_again(self):
         made = self.begin()
         self.click(10, 10)
         self.click(30, 15)
@@ -426,7 +426,7 @@ class Threads(unittest.TestCase):
         live.close()
         self.assertFalse(live._thread.is_alive())  # pylint: disable=protected-access
 
-    def test_enter_does_not_wait_for_what_is_not_asked_any_more(self):
+    def test_enter_does_not_wait_for_replaced_requests(self):
         slow = _Slow()
         live = Live(slow)
         live.ask(Request([], {}, tag="old"))
@@ -463,7 +463,7 @@ class _Slow:
 
 
 class Icon(unittest.TestCase):
-    def test_it_is_what_the_script_makes(self):
+    def test_the_icon_is_that_of_the_script(self):
         source = Path(support.SOURCE) / "plugins/hosts/blender/make_icon.py"
         made = runpy.run_path(str(source))["icon"]()
         self.assertEqual(Path(tool._ICON).with_suffix(".draw.dat").read_bytes(), made)

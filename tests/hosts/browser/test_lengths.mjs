@@ -123,7 +123,7 @@ export async function oneSideAndNone() {
   await choose(page, 'offset-side', 'both');
   await choose(page, 'offset-caps', 'none');
   assert.deepEqual(await offsets(page), ['open, left: 10', 'open, right: 10']);
-  // The offset follows the curve, is stored, and tells why there is none.
+  // The offset follows the curve and is stored; if there is none, the page says why.
   await page.load();
   await page.page.waitForFunction(() => document.querySelectorAll('#offset-list li').length === 2);
   await page.rest();
@@ -135,7 +135,7 @@ export async function oneSideAndNone() {
   assert.equal(await page.text('trouble-offset'), '');
 }
 
-/** Where they are worked with: they are steps, and the curves stay as they are. */
+/** Edits of offsets are steps that can be undone, and leave the curves unchanged. */
 export async function editsOfTheOffsetAreUndone() {
   const page = await withLine();
   const number = () => page.page.$eval('#offset-number', (box) => box.value);

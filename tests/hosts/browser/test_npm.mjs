@@ -99,7 +99,7 @@ export async function ridgesAttract() {
   assert.ok(attracted.report.ridges.moved > 0.5);
 }
 
-/** The mesh with a face twice is refused, and mended where it is asked for. */
+/** A mesh with a repeated face is refused, and repaired on request. */
 export async function defectsAndRepair() {
   await assert.rejects(opened('twice'), { name: 'TalwegError', kind: 'mesh', message: /1 face repeats/ });
   const mesh = await opened('twice', { repair: true });
@@ -139,7 +139,7 @@ function refusesArguments(mesh, drawn) {
   const say = (call, message) => assert.throws(call, { name: 'TalwegError', kind: 'usage', message });
   say(() => mesh.smooth(null), /^The curves are no array/);
   say(() => mesh.smooth([{}]), /^Curve 0 has no list of points/);
-  say(() => mesh.smooth(drawn, { Tau: 1 }), /^There is no option Tau: there are tau, /);
+  say(() => mesh.smooth(drawn, { Tau: 1 }), /^There is no option Tau: the options are tau, /);
   say(() => mesh.smooth(drawn, { tau: NaN }), /^The option tau is NaN: give a number of 0 or more\.$/);
   say(() => mesh.smooth(drawn, { ridges: 2 }), /^The option ridges is 2: give a number from 0 to 1\.$/);
   say(() => mesh.smooth(drawn, 2), /^The options are 2/);

@@ -67,7 +67,7 @@ export async function noOtherHost() {
 }
 
 /** Reading 638,000 faces takes a while. The earlier mesh stays, with its drawing. */
-export async function whatTakesLongCanBeEnded() {
+export async function longOpeningCanBeEnded() {
   const page = await openPage();
   await page.openMesh(mesh('ball'));
   await drawTwo(page);
@@ -98,7 +98,7 @@ export async function allAboutTheMesh() {
   await page.openMesh(mesh('twice'));
   assert.equal(await page.text('mesh-text'), '');
   await page.page.click('#mesh-all summary');
-  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('there twice'));
+  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('repeat another face'));
   await page.openMesh(mesh('ball'));
   await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('none (closed)'));
 }

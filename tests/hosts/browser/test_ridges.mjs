@@ -63,7 +63,7 @@ export async function aStrokeIsMovedOntoTheCrease() {
   assert.equal(await page.page.$eval('#ridges-number', (box) => box.value), '0');
   assert.equal(await page.row('ridges'), '');
 
-  // Refused, and shown as it is.
+  // A bad strength is refused, and the field shows the unchanged value.
   await snap(page, 2);
   assert.equal(await page.text('trouble-drawing'), 'The strength of ridges must be from 0 to 1.');
   assert.equal(await page.page.$eval('#ridges-number', (box) => box.value), '0');
@@ -77,7 +77,7 @@ export async function theSameAsTheDriver() {
   const drawn = await page.saved(() => page.act('save-curves')), theirs = join(page.downloads, 'saved-driver.json');
   talweg('smooth', mesh('roof'), '--curve', drawn, '--ridges', '0.8', '--border', 'snap', '-o', theirs);
   assert.ok(farthest(curvesIn(ours), curvesIn(theirs)) < 1e-9);
-  // It is kept.
+  // The strength is stored with the drawing.
   await page.load();
   await page.page.waitForFunction(() => document.querySelector('#reports table'));
   await page.rest();
@@ -85,7 +85,7 @@ export async function theSameAsTheDriver() {
   assert.match(await page.row('ridges'), /moved onto them/);
 }
 
-/** In a narrow window, where what is told is longer than the panel is wide. */
+/** In a narrow window, where the text is longer than the panel is wide. */
 export async function onTheCreaseAlready() {
   const page = await withStroke(15, { width: 360, height: 640 });
   await snap(page, 1);

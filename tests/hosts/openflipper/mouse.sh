@@ -86,7 +86,7 @@ row() {  # NUMBER: clicks the name in a row of the list of curves
   set -- "$1" $(place talwegCurves)
   click "$(($2 + 50))" "$(($3 + 14 + 19 * $1))"
 }
-# Types a file's name into the dialog that is there.
+# Types a file's name into the open dialog.
 type_name() { sleep 2; xdotool type --delay 30 "$1"; xdotool key Return; sleep 1; }
 
 for _ in $(seq 100); do grep -aq ' : READY' "$log" 2>/dev/null && break; sleep 0.5; done
@@ -232,7 +232,7 @@ mark
 for _ in 1 2 3 4; do press talwegUndo; done  # its end, tau, its two points
 expect "3 curve(s)" "undo takes it away"
 
-# Curves as things.
+# Curves as objects of the scene.
 says() {  # WIDGET PATTERN WHAT
   mark
   ask "$1"
@@ -283,7 +283,7 @@ press talwegPoints
 expect "SCENE drawn [1-9][0-9]* leg 0 points 0 " "points can be hidden"
 press talwegPoints
 
-# Combs, where something is largest, colours.
+# Combs, the places of the largest values, colours.
 mark
 press talwegComb
 expect "comb [1-9]" "a comb of curvature"

@@ -39,7 +39,7 @@ class Looks(Case):
         filter.UpdatePipeline()
         self.assertEqual(pv.Show(pv.OutputPort(filter, 0), view).ColorArrayName[1], "")
 
-    def test_what_a_state_file_says_stays(self):
+    def test_properties_of_a_state_file_stay(self):
         filter = pv.TalwegSmoothVertices(Mesh=pv.Sphere(), PointIds="0 5 40")
         filter.UpdatePipeline()
         shown(filter).LineWidth = 1

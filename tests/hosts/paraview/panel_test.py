@@ -70,7 +70,7 @@ class Panel(unittest.TestCase):
                 self.assertEqual(properties, {property_name(option) for option in options})
                 self.assertIn("Repair", properties)
 
-    def test_defaults_and_what_is_advanced(self):
+    def test_defaults_and_advanced_properties(self):
         for plugin, filter, _ in self.filters:
             for option, kind, default, advanced in described(plugin):
                 if option == "others":

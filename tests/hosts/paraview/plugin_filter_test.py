@@ -63,8 +63,8 @@ class Decimate(Case):
     def test_wrong_input(self):
         self.assertIn("share", self.error_of(decimate(along(ROW), "share=2")))
         self.assertIn("has no parameter tau", self.error_of(decimate(along(ROW), "tau=2")))
-        self.assertIn("is not as", self.error_of(decimate(along(ROW), "share")))
-        self.assertIn("has no number", self.error_of(decimate(along(ROW), "share=")))
+        self.assertIn("is not of the form", self.error_of(decimate(along(ROW), "share")))
+        self.assertIn("needs one number", self.error_of(decimate(along(ROW), "share=")))
         for plugin, sentence in (("nobody.there", "There is no plugin nobody.there"),
                                  ("talweg.smooth", "talweg.smooth makes no meshes")):
             filter = pv.TalwegPlugin(Mesh=sheet(), Curve=along(ROW), Plugin=plugin)

@@ -39,7 +39,7 @@ class Repair(Case):
         self.assertEqual([names.GetValue(k) for k in range(2)], ["cell 0", "cell 1"])
         self.assertEqual(cell_values(data, "origin_cell"), [0, 1])
 
-    def test_what_was_done_is_in_the_field_data(self):
+    def test_the_changes_are_in_the_field_data(self):
         filter = pv.TalwegRepair(Mesh=broken())
         self.update(filter)
         data = output(filter, 0)

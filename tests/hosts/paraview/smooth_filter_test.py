@@ -134,7 +134,7 @@ class Outputs(Case):
             nearest = min(distance(point, POINTS[w]) for w in ZIGZAG)
             self.assertGreaterEqual(field[v], nearest - 2 * longest)
 
-    def test_the_distance_is_there_when_asked_for(self):
+    def test_the_distance_is_given_on_request(self):
         filter = sheet(PointIds=TEXT)
         self.curve_of(filter)
         self.assertIsNone(output(filter, 1).GetPointData().GetArray("distance"))

@@ -90,7 +90,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(distance.shape, (len(self.vertices),))
         self.assertEqual(np.abs(distance[self.drawn]).max(), 0)
 
-    def test_what_comes_out_lies_on_the_mesh(self):
+    def test_results_lie_on_the_mesh(self):
         curve = talweg.smooth((self.vertices, self.faces), self.drawn).curve
         np.testing.assert_allclose(curve.barycentrics.sum(axis=1), 1, atol=1e-15)
         self.assertGreaterEqual(curve.barycentrics.min(), 0)
@@ -104,7 +104,7 @@ class Arrays(unittest.TestCase):
             places=9)
 
 
-    def test_what_is_printed(self):
+    def test_representations(self):
         self.assertEqual(repr(talweg.Curve([1, 2, 3], closed=True)),
                          "<talweg.Curve: closed, 3 points>")
         result = talweg.smooth((self.vertices, self.faces), self.drawn)

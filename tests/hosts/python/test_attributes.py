@@ -67,7 +67,7 @@ class Attributes(unittest.TestCase):
             with self.subTest(where=where, why=why), self.assertRaisesRegex(talweg.BadUsage, why):
                 talweg.Mesh(self.vertices, self.faces, **{where: values})
 
-    def test_what_was_changed_is_checked_before_it_goes_out(self):
+    def test_changed_attributes_are_checked_before_output(self):
         package(self, "meshio", "Debian: python3-meshio")
         mesh = self.mesh()
         mesh.face_attributes["late"] = [1, 2, 3]

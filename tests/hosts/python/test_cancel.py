@@ -59,7 +59,7 @@ class Cancel(unittest.TestCase):
             self.assertEqual(left[0], -1)
         self.as_if_nothing_had_been()
 
-    def test_what_progress_raises_comes_out(self):
+    def test_exceptions_of_progress_reach_the_caller(self):
         def progress(_stage, _fraction):
             raise ZeroDivisionError("in the callback")
 

@@ -133,7 +133,7 @@ class Errors(unittest.TestCase):
 
 
 class MissingPlugins(unittest.TestCase):
-    def test_the_sentence_names_folders_and_what_was_refused(self):
+    def test_the_message_names_folders_and_refused_files(self):
         script = ("import talweg\ntry:\n talweg.plugin('talweg.nothing')\n"
                   "except talweg.PluginNotFound as e: print(e)")
         with tempfile.TemporaryDirectory() as folder:

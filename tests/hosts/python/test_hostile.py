@@ -67,7 +67,7 @@ class Hostile(unittest.TestCase):
         work = self.mesh.workspace([0, 1], plugin="toy.hostile", fault=fault)
         return work.run(point_fields=True, vertex_fields=True, meshes=True)
 
-    def test_what_it_gives_well_is_taken(self):
+    def test_valid_results_are_accepted(self):
         result = self.run_hostile("none")
         np.testing.assert_array_equal(result.curve.vertices, [0, -1, -1])
         self.assertEqual(result.total.more["value"], 1)
@@ -81,7 +81,7 @@ class Hostile(unittest.TestCase):
                 self.assertIn("The plugin toy.hostile gave an invalid result", str(caught.exception))
                 self.assertIn(words, str(caught.exception))
 
-    def test_the_second_ctrl_c_leaves_what_never_returns(self):
+    def test_the_second_ctrl_c_abandons_a_run_that_never_returns(self):
         folders = [os.path.dirname(os.path.abspath(__file__)), os.environ.get("PYTHONPATH", "")]
         done = subprocess.run([sys.executable, "-c", NEVER_ENDS], capture_output=True, text=True,
                               timeout=60, check=False,
@@ -89,7 +89,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         lines = done.stdout.splitlines()
         self.assertEqual(lines[0], "given up")
-        self.assertIn("toy.hostile has never ended its last call", lines[1])
+        self.assertIn("The last call of the plugin toy.hostile has not ended", lines[1])
         self.assertEqual(lines[2], "1 curve")
 
     def test_it_ends_a_program_that_catches_nothing(self):

@@ -128,7 +128,7 @@ end_header
                              {"ivory", "caf\udce9"})
             self.assertEqual(back.references, mesh.references)
 
-    def test_what_a_format_does_not_hold_is_told(self):
+    def test_attributes_that_a_format_does_not_hold_are_reported(self):
         mesh = talweg.read_mesh(self.written("a.obj", OBJ))
         mesh.vertex_attributes["heat"] = np.arange(4.0)
         mesh.corner_attributes["weight"] = np.ones((2, 3, 1))
@@ -198,7 +198,7 @@ end_header
             talweg.write_mesh(self.path("a.ply"), (vertices, faces), tag=True)
         mesh = talweg.Mesh(vertices, faces, face_attributes={"usemtl": np.full(len(faces), 2)})
         mesh.face_names["usemtl"] = ["", "one"]
-        with self.assertRaisesRegex(talweg.BadUsage, '"usemtl" has 2, and 2 names'):
+        with self.assertRaisesRegex(talweg.BadUsage, '"usemtl" has the value 2, but only 2 names'):
             talweg.write_mesh(self.path("a.obj"), mesh)
         mesh.face_names = {"g": ["a\nb"]}
         with self.assertRaisesRegex(talweg.BadUsage, 'names for the attribute "g"'):

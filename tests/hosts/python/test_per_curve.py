@@ -48,7 +48,7 @@ class PerCurve(unittest.TestCase):
             for ours, theirs in zip(result.curves, expected):
                 self.equal(ours, theirs)
 
-    def test_what_is_refused(self):
+    def test_bad_values(self):
         for values, words in (([1, 2], "2 values for 3 curves"), ([1, -3, 1], "curve 1, not -3"),
                               ([1, "much", 1], "'much'")):
             with self.assertRaisesRegex(talweg.BadUsage, words):

@@ -72,7 +72,7 @@ class Pickles(unittest.TestCase):
         one = len(pickle.dumps(several[:1]))
         self.assertLess(len(pickle.dumps(several)), one + 0.5 * self.vertices.nbytes)
 
-    def test_results_do_not_keep_what_is_open(self):
+    def test_results_do_not_keep_opened_meshes(self):
         self.assertEqual(self.result.mesh._owners, {})  # pylint: disable=protected-access
 
     def test_workspace(self):

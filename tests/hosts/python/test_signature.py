@@ -73,7 +73,7 @@ class Signature(unittest.TestCase):
         for name in self.calls:
             self.assertEqual(next(iter(inspect.signature(getattr(talweg, name)).parameters)), "mesh")
 
-    def test_dir_shows_what_is_ours(self):
+    def test_dir_shows_the_public_names_only(self):
         shown = subprocess.run(  # in a new process without imports
             [sys.executable, "-c", "import talweg; print(*(n for n in dir(talweg) if n[0] != '_'))"],
             check=True, capture_output=True, text=True).stdout.split()

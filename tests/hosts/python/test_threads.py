@@ -67,7 +67,7 @@ class Threads(unittest.TestCase):
         self.assertIn("Another call", refused[0])
         self.assertEqual(work.parameters["tau"], 0.0)
 
-    def test_instances_go_when_nobody_holds_them(self):
+    def test_instances_are_destroyed_with_their_owners(self):
         work = talweg.Mesh(*support.hills(20)).workspace(support.staircase(20))
         work.run()
         instance = weakref.ref(work._instance)

@@ -77,7 +77,7 @@ class Raster(unittest.TestCase):
             parts.draw(points, faces)
         np.testing.assert_array_equal(parts.depths, whole.depths)
 
-    def test_what_is_not_finite_is_left_out(self):
+    def test_triangles_that_are_not_finite_are_left_out(self):
         points = np.array([[0, 0, 0], [9, 0, 0], [0, 9, 0], [np.nan, 3, 9], [np.inf, 3, 9]])
         buffer = _raster.Buffer(10, 10)
         buffer.draw(points, np.array([[0, 1, 2], [0, 1, 3], [1, 4, 2]]))
@@ -118,7 +118,7 @@ class Views(unittest.TestCase):
             again = self.direction(vertices, faces, talweg.Curve(positions=vertices[patch[::-1]]))
             np.testing.assert_array_equal(direction, again)
 
-    def test_what_is_in_the_way_is_looked_past(self):
+    def test_the_view_avoids_faces_in_front_of_the_curve(self):
         """A curve on the inside of a bowl is seen through the opening."""
         vertices, faces = sphere()
         bowl = faces[(vertices[faces, 0] < 0.2).all(axis=1)][:, ::-1]  # faces inwards, open towards x

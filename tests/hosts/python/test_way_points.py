@@ -99,7 +99,7 @@ class WayPoints(unittest.TestCase):
         painted = np.where(some, 0.0, -2)  # a stroke through clicked points
         self.assertGreater(len(self.smooth(talweg.Curve(self.drawn.vertices, exact=painted))), 10)
 
-    def test_what_is_no_such_thing(self):
+    def test_bad_values_of_exact(self):
         n = len(self.drawn)
         for exact, words in (([True], rf"must be True, a tolerance, or \({n},\)"),
                              ("yes", "must be True, a tolerance"),
@@ -147,7 +147,7 @@ class WayPoints(unittest.TestCase):
         self.assertFalse(self.passes(dense.curve, THROUGH[1]))
         self.assertIn("taken as a stroke", " ".join(dense.total.warnings))
 
-    def test_what_does_not_apply(self):
+    def test_a_bound_does_not_apply(self):
         bounded = self.mesh.smooth(self.drawn, max_deviation=0.1)
         self.equal(bounded.curve, self.result)
         self.assertIn("largest deviation does not apply", " ".join(bounded.total.warnings))

@@ -77,7 +77,7 @@ TEST_F(BudgetOptions, OfEveryLineOfAList) {
   EXPECT_NE(bytes_of(file("a.json")), bytes_of(file("plain.json")));
 }
 
-TEST_F(BudgetOptions, MustBeMoreThanNothing) {
+TEST_F(BudgetOptions, MustBePositive) {
   for (const char* bad : {"0", "-1", "nan", "inf"}) {
     expect_failure(smooth(std::string("--budget=") + bad), 1, {"budget"});
   }

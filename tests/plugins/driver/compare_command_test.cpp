@@ -92,7 +92,7 @@ TEST_F(CompareCommand, ASweepHasAPlotAndAVerdict) {
 }
 
 TEST_F(CompareCommand, TellsWhatALoopBecame) {
-  // On a tube of constant girth the ring that is left is a geodesic, and parts the tube.
+  // On a tube of constant girth the loop becomes a ring that is a geodesic and separates the tube.
   const Outcome outcome =
       run("compare tube.ply --curve ring.json --methods corridor,geodesic --report all.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -122,7 +122,7 @@ TEST_F(CompareCommand, AMethodMayRefuseAndTheOthersGoOn) {
   EXPECT_FALSE(all["runs"][0].contains("refused"));
   EXPECT_NE(all["runs"][1]["refused"].get<std::string>().find("There is no plugin example.none"),
             std::string::npos);
-  EXPECT_EQ(all["runs"][2]["refused"], "No curve is left.");
+  EXPECT_EQ(all["runs"][2]["refused"], "The method returned no curve.");
 }
 
 TEST_F(CompareCommand, BadUse) {

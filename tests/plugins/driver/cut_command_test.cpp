@@ -105,8 +105,8 @@ TEST_F(CutCommand, OpensSeamsOfOneAndOfMoreCurves) {
       run("cut plane.ply --curve line.txt --curve other.txt -o open.ply --open");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const MeshLists open = read_mesh(file("open.ply"));
-  // line.txt begins at the boundary: three of its vertices are there twice; so is the middle of
-  // the other, and its end at the boundary.
+  // line.txt begins at the boundary, so three of its vertices are doubled. Of the other curve the
+  // middle and the end at the boundary are doubled.
   EXPECT_EQ(open.points.size(), 121U + 3 + 2);
   EXPECT_EQ(open.triangles.size(), 200U);
 }
@@ -173,7 +173,7 @@ TEST_F(CutCommand, TagsTheCurvesEdges) {
 }
 
 TEST_F(CutCommand, ClosesWithLidsOfAKind) {
-  // Two parallels of a tube: plane. The ring on the ball is not.
+  // Two parallels of a tube are plane; the ring on the ball is not.
   write_mesh(file("tube.ply"), test::tube(16, 9, 4));
   std::string ring;
   for (int k = 48; k < 64; ++k) ring += std::to_string(k) + "\n";
@@ -192,7 +192,7 @@ TEST_F(CutCommand, ClosesWithLidsOfAKind) {
                  {"--tag", ".ply, .obj, .vtk or .vtp"});
 }
 
-/// A parallel of a tube of 16 columns, seen from outside with what is above on its left.
+/// A parallel of a tube of 16 columns. Seen from outside, the part above is on its left.
 std::string parallel(int row) {
   std::string ring;
   for (int k = 0; k <= 16; ++k) ring += std::to_string(16 * row + k % 16) + "\n";
@@ -211,7 +211,7 @@ TEST_F(CutCommand, KeepsWhatIsOnThatSideOfEveryCurveAlongIt) {
     }
     return std::pair(low, high);
   };
-  // Between the two lies the left of one and the right of the other.
+  // The band between the two is on the left of one and on the right of the other.
   const std::string both = "cut tube.ply --curve low.txt --curve high.txt ";
   const Outcome left = run(both + "-o left.ply --keep left");
   ASSERT_EQ(left.code, 0) << left.err;
@@ -219,7 +219,7 @@ TEST_F(CutCommand, KeepsWhatIsOnThatSideOfEveryCurveAlongIt) {
   EXPECT_EQ(heights("left.ply"), std::pair(5.0, 8.0));
   ASSERT_EQ(run(both + "-o right.ply --keep right").code, 0);
   EXPECT_EQ(heights("right.ply"), std::pair(0.0, 2.0));
-  // With one turned around it is on the left of both, and the rest on the right.
+  // With one curve reversed, the band is on the left of both, and the rest on the right.
   std::string turned;
   for (int k = 16; k >= 0; --k) turned += std::to_string(80 + k % 16) + "\n";
   write(file("turned.txt"), turned);

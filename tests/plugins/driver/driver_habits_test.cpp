@@ -58,7 +58,7 @@ TEST_F(DriverHabits, RefusesEmptyValuesOfEveryOptionOfEveryCommand) {
   expect_failure("smooth mesh.ply --curve a.txt -o=", 1, {"-o", "is empty"});
   expect_failure("--threads '' info mesh.ply", 1, {"--threads", "is empty"});
   expect_failure("'' mesh.ply", 1, {"is empty"});
-  // Lists of which one is missing.
+  // Lists with a missing element.
   for (const char* list : {",65", "64,", "64,,65", ","}) {
     expect_failure(std::string("draw mesh.ply -o out.txt --through ") + list, 1,
                    {"--through", "empty"});
@@ -95,7 +95,7 @@ TEST_F(DriverHabits, TellsWhatAMisspeltWordWasMeantToBe) {
   expect_failure("run talweg.smoth mesh.ply --curve a.txt", 2, {"did you mean talweg.smooth?"});
   write("list.csv", "mesh,curve,max_devation\nmesh.ply,a.txt,1\n");
   expect_failure("smooth --batch list.csv -o b.obj", 2, {"did you mean max-deviation?"});
-  // Words that are like none.
+  // Words that resemble no known word.
   for (const char* line : {"polish mesh.ply", "smooth mesh.ply --curve a.txt --colour red",
                            "smooth mesh.ply other.ply --curve a.txt"}) {
     const Outcome outcome = run(line);
@@ -111,7 +111,7 @@ TEST_F(DriverHabits, TheVersionIsTheFirstLineAndTheLibrariesOfTheFactorTheSecond
   EXPECT_EQ(outcome.out, std::string("talweg ") + version() + "\n" + factor_libraries() + "\n");
 }
 
-TEST_F(DriverHabits, WhatCannotBePrintedIsAnError) {
+TEST_F(DriverHabits, OutputThatCannotBePrintedIsAnError) {
   write("a.txt", "64\n65\n66\n");
   for (const char* words :
        {"--help", "--version", "smooth --help", "run talweg.smooth --help", "plugins",

@@ -63,7 +63,7 @@ TEST_F(Driver, ReportsWithStableNames) {
 }
 
 /// A U whose arms are 15 long and 3 apart becomes the straight line between its ends.
-TEST_F(Driver, TheSummaryBeginsWithWhatDecides) {
+TEST_F(Driver, TheSummaryBeginsWithDecisiveWarnings) {
   ASSERT_EQ(run("draw mesh.ply --through 67,532,535,70 --points rough -o u.json").code, 0);
   const std::string smooth = "smooth mesh.ply --curve u.json --tau 0.001";
   const Outcome table = run(smooth);
@@ -191,9 +191,9 @@ TEST_F(Driver, HoldsTheDrawingWhereTheSlackFieldIsSmall) {
     return nlohmann::json::parse(bytes_of(file("r.json")))["deviation_to_drawn_max"];
   };
   const double held = deviation("zeros.txt"), free = deviation("wide.txt");
-  // Where the potential is looked at it is at most half the drawn length (about 35, so 0.2 away
-  // with L = 3.5 and tau = 4), and a point in between is a quarter of the longest edge from such a
-  // place.
+  // At its samples the potential is at most half the drawn length (about 35, so the distance is 0.2
+  // with L = 3.5 and tau = 4), and any other point is at most a quarter of the longest edge from a
+  // sample.
   EXPECT_LT(held, 0.2 + std::sqrt(2) / 4);
   EXPECT_GT(free, 1);
   expect_failure("smooth mesh.ply --curve drawn.json --slack-field drawn.json", 2, {"drawn.json"});

@@ -152,13 +152,14 @@ TEST_F(Faults, SignalsEndARunWithCode4AndTheOldFile) {
   }
 }
 
-TEST_F(Faults, ASecondSignalEndsAtOnceWhatHearsNone) {
+TEST_F(Faults, ASecondSignalEndsAtOnceAReadThatWaits) {
   const std::string pipe = file("pipe.ply");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const pid_t child = start({"info", "pipe.ply"});
   int status = 0;
   const auto runs = [&] { return waitpid(child, &status, WNOHANG) == 0; };
-  // Opens when the driver reads; as nothing is written, it goes on reading until it is ended.
+  // The pipe opens when the driver reads. Nothing is written, so the driver waits until it is
+  // ended.
   int writer = -1;
   while (runs() && (writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK)) < 0) sleep_us(10'000);
   kill(child, SIGTERM);
@@ -282,7 +283,7 @@ TEST_F(Faults, FilesThatWouldBeTooLargeLeaveTheOldOnes) {
 }
 
 TEST_F(Faults, AFileThatChangesWhileItIsReadIsRefused) {
-  // A reader that is given a file which somebody else keeps writing, in place.
+  // The driver reads a file that another process keeps writing in place.
   std::filesystem::resize_file(write("big.obj", "v 0 0 0\n"), 200'000'000);
   const pid_t child = fork();
   if (child == 0) {

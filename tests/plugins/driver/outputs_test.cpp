@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A command that works, without what the tests are about: its inputs are written as {NAME}.
+/// A valid command. Its inputs are written as {NAME}, and the tests add its options for outputs.
 struct Command {
   std::string line;
   std::vector<std::string> inputs;
@@ -91,7 +91,7 @@ class Outputs : public DriverRuns {
     write("list.csv", "mesh,curve\nmesh.ply,curve.json\n");
   }
 
-  /// All files and what they hold, but for the logs of the last run.
+  /// All files and their contents, except the logs of the last run.
   [[nodiscard]] std::map<std::string, std::string> contents() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : fs::recursive_directory_iterator(file(""))) {
@@ -147,7 +147,7 @@ TEST_F(Outputs, ThatAreOneFileAreRefusedByEveryCommand) {
   }
 }
 
-TEST_F(Outputs, OfWhichNobodyKnowsHowManyAreLookedAtByTheirNames) {
+TEST_F(Outputs, OfUnknownNumberAreCheckedByTheirNames) {
   fs::copy(file("mesh.ply"), file("out-12.ply"));
   fs::copy(file("curve.json"), file("r-geodesic.json"));
   fs::copy(file("curve.json"), file("r-corridor-3.json"));
@@ -254,7 +254,7 @@ TEST_F(Outputs, WithTheNameOfAStrokeAreTheStandardOutput) {
   EXPECT_EQ(run("labels mesh.ply labels.txt --labels-out /dev/null --report /dev/null").code, 0);
 }
 
-TEST_F(Outputs, TheStandardOutputIsOfTheFilesThatAreLookedAt) {
+TEST_F(Outputs, TheStandardOutputIsCheckedLikeFiles) {
   const std::string before = bytes_of(file("curve.json"));
   const std::string command = "cd '" + file("").string() + "' && '" + driver_program() +
                               "' smooth mesh.ply --curve curve.json --report - "

@@ -94,7 +94,7 @@ TEST_F(SlicerHead, EveryCommandTurnsCurves) {
   EXPECT_LT(middle("lps.json"), 0);
 }
 
-TEST_F(SlicerHead, AMeshThatSaysNothingIsToldWhatWouldFit) {
+TEST_F(SlicerHead, AMeshWithoutASpaceIsWarnedOfABetterFit) {
   for (const char* command :
        {"smooth silent.ply --curve ring.mrk.json -o a.json", "measure silent.ply ring.mrk.json",
         "run talweg.smooth silent.ply --curve ring.mrk.json -o a.json"}) {

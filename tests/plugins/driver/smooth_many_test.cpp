@@ -92,7 +92,7 @@ class SmoothMany : public test::DriverRuns {
   }
 };
 
-TEST_F(SmoothMany, AListIsForAsManyCurvesAsThereAre) {
+TEST_F(SmoothMany, AListHasAValueForEachCurve) {
   expect_failure("smooth sheet.ply --curve across.txt --tau 1,2,3 -o out.json", 1,
                  {"--tau has 3 values", "1 curve:"});
 }
@@ -132,7 +132,7 @@ TEST_F(SmoothMany, ACellMayHaveAValueForEachCurve) {
   EXPECT_EQ(bytes_of(file("batch.json")), bytes_of(file("direct.json")));
 }
 
-TEST_F(SmoothMany, WhatDecidesIsToldFirstWithItsRun) {
+TEST_F(SmoothMany, DecisiveWarningsComeFirstWithTheirRun) {
   std::string dense, line = "l";
   for (int k = 0; k < 20; ++k) {  // a unit apart, and ten in the middle
     dense += "v " + std::to_string(2 + k + (k < 10 ? 0 : 7)) + " 10.3 0\n";
@@ -230,7 +230,7 @@ constexpr const char* kList =
     "sheet.ply,up.txt,0.5,p3\n"
     "ball.obj,b.mrk.json,1,p4\n";
 
-TEST_F(SmoothMany, AListGivesWhatItsRunsGiveOneByOneForAnyNumberOfJobs) {
+TEST_F(SmoothMany, AListGivesTheResultsOfSingleRunsForAnyNumberOfJobs) {
   write("list.csv", kList);
   for (const char* jobs : {"1", "2", "7"}) {
     const Outcome outcome = run(std::string("smooth --batch list.csv -o '") + jobs +
@@ -368,7 +368,7 @@ TEST_F(SmoothMany, ListsAreReadAsSpreadsheetsWriteThem) {
   EXPECT_TRUE(fs::exists(file("out/c, d.json")));
 }
 
-TEST_F(SmoothMany, FoldersAreTheMeshsOwn) {
+TEST_F(SmoothMany, OutputFoldersAreThoseOfTheMesh) {
   for (const char* name : {"case1", "case2"}) {
     fs::create_directory(file(name));
     fs::copy(file("sheet.ply"), file(name) / "mesh.ply");
@@ -449,12 +449,12 @@ TEST_F(SmoothMany, TheBarOnATerminalCountsTheRuns) {
     }
   }
   EXPECT_GT(bars, 0) << seen;
-  // It is wiped off before the last words.
+  // The bar is erased before the last message.
   EXPECT_NE(seen.find("none.ply"), std::string::npos);
   EXPECT_EQ(seen.find("left", seen.find("talweg: ")), std::string::npos);
 }
 
-TEST_F(SmoothMany, ResumingKeepsWhatIsTheSameAndMakesTheRest) {
+TEST_F(SmoothMany, ResumingKeepsUnchangedOutputsAndMakesTheRest) {
   write("list.csv", kList);
   const std::string command = "smooth --batch list.csv -o 'out/{patient}.json' --summary s.csv";
   ASSERT_EQ(run(command).code, 0);
@@ -522,7 +522,7 @@ TEST_F(SmoothMany, RefusesToResumeWithoutATable) {
   EXPECT_EQ(table("s.csv").size(), 4U);
 }
 
-TEST_F(SmoothMany, AKilledProgramGoesOnWhereItWas) {
+TEST_F(SmoothMany, AKilledListIsResumed) {
   std::string list = "mesh,curve,n\n";
   for (int i = 0; i < 400; ++i) list += "ball.obj,a.mrk.json," + std::to_string(i) + "\n";
   write("list.csv", list);
@@ -543,7 +543,7 @@ TEST_F(SmoothMany, AKilledProgramGoesOnWhereItWas) {
       << outcome.out;
   EXPECT_GE(kept, 2);
   EXPECT_EQ(kept + made, 400);
-  EXPECT_LE(anew, 2);  // one a job: written, and killed before its record
+  EXPECT_LE(anew, 2);  // one for each job, killed after it wrote an output and before its record
   EXPECT_EQ(table("s.csv").size(), 400U);
   EXPECT_EQ(contents("out").size(), 400U);
 }

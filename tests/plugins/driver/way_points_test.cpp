@@ -1,4 +1,5 @@
-// Way-points from draw to smooth: who makes them, who says otherwise, and what then does not apply.
+// Way-points from draw to smooth: the commands that make them, the options that replace them, and
+// the options that do not apply to them.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -166,7 +167,8 @@ TEST_F(DriverWayPoints, RoughDrawingsAreThePathAlone) {
 TEST_F(DriverWayPoints, DrawTellsWhichFilesAreStrokes) {
   const std::string draw = "draw hills.ply --through 130,760 ";
   EXPECT_EQ(run(draw + "-o a.obj -o a.json -o a.txt").out,
-            "a.obj, a.txt: the path, a stroke; .json, .vtp and .vtk hold way-points.\n");
+            "a.obj, a.txt: a stroke, because the format has no way-points; .json, .vtp and .vtk "
+            "have.\n");
   EXPECT_EQ(run(draw + "-o a.json -o a.vtp -o a.vtk").out, "");
   EXPECT_EQ(run(draw + "-o a.obj --points rough").out, "");
   EXPECT_EQ(run("-q " + draw + "-o a.obj").out, "");

@@ -1,5 +1,5 @@
-// What belongs to one curve: its name and number, tau and tolerance, pins, going on; the leg that a
-// new point belongs to; combs.
+// Properties of one curve: its name and number, tau and tolerance, pins, continuing it; the leg
+// that a new point belongs to; combs.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -195,7 +195,7 @@ TEST(Legs, AClosedLineMayBeginAnywhere) {
   EXPECT_EQ(editing::leg_at(given, square, true, 39), 2U) << "back to where the line begins";
 }
 
-TEST(Legs, WhatIsNotThereIsRefused) {
+TEST(Legs, AMissingPartIsRefused) {
   const std::vector<Vector> line = {{0, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(refusal([&] { (void)editing::leg_at(line, line, false, 1); }),
             "There is no such part of the curve.");
@@ -217,7 +217,7 @@ TEST(ScreenLine, TellsTheSegmentUnderTheMouse) {
   EXPECT_EQ(editing::nearest_segment(line, false, {13, 14}).away, 5) << "beyond an end";
 }
 
-TEST(ScreenLine, WhatIsNoSegmentIsNowhere) {
+TEST(ScreenLine, ALineWithoutSegmentsIsInfinitelyFar) {
   EXPECT_TRUE(std::isinf(editing::nearest_segment({}, true, {0, 0}).away));
   EXPECT_TRUE(std::isinf(editing::nearest_segment({{1, 1}}, false, {0, 0}).away));
   EXPECT_EQ(editing::nearest_segment({{3, 4}, {3, 4}}, false, {0, 0}).away, 5) << "of no length";
@@ -225,7 +225,7 @@ TEST(ScreenLine, WhatIsNoSegmentIsNowhere) {
 
 // ---- Combs
 
-/// A curve on a flat sheet, or on one that is bent along its middle, with what it turns by.
+/// A curve on a flat sheet, or on a sheet that is bent along its middle, with its curvatures.
 struct OnSheet {
   editing::MeshArrays mesh;
   host::Curve line;
@@ -278,7 +278,7 @@ TEST(Combs, AStraightLineHasNone) {
   for (const editing::Tooth& tooth : teeth) EXPECT_EQ(tooth.curvature, 0);
 }
 
-TEST(Combs, WhatTurnsToTheOtherSideHasTeethOnTheOther) {
+TEST(Combs, TurnsToTheOtherSideHaveTeethOnTheOtherSide) {
   // Right, then left, each by a right angle.
   const double s = extent() / 10;
   const OnSheet step(

@@ -75,7 +75,7 @@ TEST(Editor, AStrokeBeginsWhereTheMouseWasPressed) {
   EXPECT_EQ(marks_of(editor), std::vector<double>(2, TALWEG_MARK_PAINTED));
 }
 
-TEST(Editor, PointsOfStrokesSayNothing) {
+TEST(Editor, PointsOfStrokesHaveNoMark) {
   Editor editor;
   editor.add_curve({{at(1), at(2), at(3)}, false});
   editor.insert_point(0, 1, at(5));
@@ -105,7 +105,7 @@ TEST(Editor, KnowsWhetherAllPointsWereClicked) {
   EXPECT_FALSE(all_clicked(editor.drawing()));
 }
 
-TEST(Editor, WhatAPointIsComesBackByUndo) {
+TEST(Editor, UndoRestoresTheMarkOfAPoint) {
   Editor editor;
   editor.add_point(at(1));
   editor.paint_point(at(2));
@@ -183,7 +183,7 @@ TEST(Editor, ACurveGoesWhileAnotherIsDrawn) {
   EXPECT_TRUE(editor.is_drawing());
 }
 
-TEST(Editor, TheSettingsItBeginsWithAreNoStep) {
+TEST(Editor, InitialSettingsAreNoStep) {
   Editor editor({3.5, 0.25, {}});
   EXPECT_EQ(editor.drawing().settings.tau, 3.5);
   EXPECT_EQ(editor.drawing().settings.slack, 0.25);
@@ -202,7 +202,7 @@ TEST(Editor, ThePapersMethodIsAStepThatCanBeUndone) {
   EXPECT_FALSE(editor.history().can_undo());
 }
 
-TEST(Editor, WhatTheDrawingIsTakenForIsAStep) {
+TEST(Editor, EndsAndClickDistanceAreSteps) {
   Editor editor;
   editor.set_ends(editing::Ends::kOpen);
   editor.set_click_distance(0.5);
@@ -268,11 +268,11 @@ TEST(Editor, PointsKeepTheirPinsAndGo) {
   editor.insert_point(0, 3, at(4));
   editor.remove_point(0, 0);
   EXPECT_EQ(host_curves(editor.drawing()).at(0).pins, std::vector<std::uint32_t>{0});
-  editor.remove_point(0, 0);  // a closed curve of two is none
+  editor.remove_point(0, 0);  // two points make no closed curve
   EXPECT_TRUE(editor.drawing().curves.empty());
 }
 
-TEST(Editor, TellsWhatHasToBeDoneAgain) {
+TEST(Editor, TellsTheFirstStageToRepeat) {
   Editor editor;
   editor.add_curve({{at(1), at(2)}, false});
   const Drawing before = editor.drawing();
@@ -362,7 +362,7 @@ TEST(Editor, AThousandEditsUndoneAndRedoneGiveTheSameStates) {
   }
 }
 
-TEST(Editor, ANewEditForgetsWhatWasUndone) {
+TEST(Editor, ANewEditDiscardsUndoneEdits) {
   Editor editor;
   editor.set_tau(2);
   const std::uint64_t gone = editor.history().number();
@@ -483,7 +483,7 @@ TEST_F(Selection, BothRimsOfATubeAreRings) {
   }
 }
 
-TEST_F(Selection, WhatBranchesIsRefused) {
+TEST_F(Selection, ABranchingSelectionIsRefused) {
   std::vector<std::uint32_t> junction;
   for (std::uint32_t k = 0; k < 9; ++k) junction.push_back(v(5 + k, 5));
   for (std::uint32_t k = 6; k < 10; ++k) junction.push_back(v(9, k));
@@ -496,7 +496,7 @@ TEST_F(Selection, WhatBranchesIsRefused) {
             "The mesh has no vertex 9000.");
 }
 
-TEST_F(Selection, EdgesJoinOnlyWhereTheyAre) {
+TEST_F(Selection, EdgesJoinOnlyAtCommonVertices) {
   const auto curves = editing::order_along_edges({{5, 6}, {8, 7}, {6, 7}, {20, 21}, {21, 22}});
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[0], (editing::OrderedVertices{{5, 6, 7, 8}, false}));

@@ -228,7 +228,7 @@ const editing::Plugins& endless_plugins() {
   return plugins;
 }
 
-TEST(EditingThread, APluginThatNeverEndsIsTold) {
+TEST(EditingThread, APluginThatNeverEndsIsReported) {
   Hills hills;
   SmoothingThread thread(endless_plugins(), hills.mesh);
   while (thread.progress().stage != "endless") std::this_thread::yield();
@@ -240,7 +240,7 @@ TEST(EditingThread, APluginThatNeverEndsIsTold) {
   EXPECT_STREQ(editing::plugin_of(thread.progress().task), "talweg.smooth");
 }
 
-/// A host that closes: the plugins go while a thread is in one of them for ever.
+/// A host that closes: the plugins are unloaded while a thread never returns from one of them.
 [[noreturn]] void exit_while_a_plugin_never_ends() {
   {
     const editing::Plugins plugins(test::toy_folder());
@@ -387,7 +387,7 @@ TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
   EXPECT_TRUE(none.repair.empty());
 }
 
-TEST(EditingThread, RepairedItIsSmoothedInTheNumbersItCameWith) {
+TEST(EditingThread, ResultsOnARepairedMeshHaveTheNumbersOfTheInput) {
   Defective sheet;
   SmoothingThread thread(found_plugins(), sheet.mesh, {}, 400, editing::Defects::kRepair);
   thread.smooth(sheet.editor.drawing());

@@ -37,7 +37,7 @@ Sight sight_of(MeshArrays mesh) {
 }
 Sight box() { return sight_of(box_arrays()); }
 
-TEST(Sight, WhatLiesBehindTheBodyIsHidden) {
+TEST(Sight, PointsBehindTheBodyAreHidden) {
   const Sight sight = box();
   const Vector above = {0.4, 0.6, 5};
   EXPECT_FALSE(sight.is_hidden(at(2), above));
@@ -46,7 +46,7 @@ TEST(Sight, WhatLiesBehindTheBodyIsHidden) {
   EXPECT_FALSE(sight.is_hidden(at(0), {0.5, 0.45, 0.5})) << "from inside";
 }
 
-TEST(Sight, PointsOnEdgesAndAtVerticesAreNotHiddenByWhatTouchesThem) {
+TEST(Sight, PointsOnEdgesAndAtVerticesAreNotHiddenByTheirOwnFaces) {
   const Sight sight = box();
   const editing::Point vertex{2, {1, 0, 0}}, edge{2, {0.5, 0, 0.5}};
   for (const Vector& from : {Vector{0.3, 0.4, 3}, {-2, 0.5, 2}, {0.5, -2, 2}}) {
@@ -57,7 +57,7 @@ TEST(Sight, PointsOnEdgesAndAtVerticesAreNotHiddenByWhatTouchesThem) {
   EXPECT_TRUE(sight.is_hidden(vertex, {0.3, 0.4, -2}));
 }
 
-TEST(Sight, AFaceThatIsNotThereIsTold) {
+TEST(Sight, AMissingFaceIsReported) {
   EXPECT_THROW((void)box().is_hidden(at(12), {0, 0, 5}), editing::Error);
 }
 
@@ -79,7 +79,7 @@ TEST(Sight, TheNearestSideOfABoxIsMet) {
   EXPECT_FALSE(sight_of({}).first({0, 0, 9}, {0, 0, -1})) << "no triangles";
 }
 
-/// Where a way first meets one of the triangles, one after the other.
+/// Where a ray first meets a triangle, found by testing all of them.
 std::optional<double> nearest(const MeshArrays& mesh, const Vector& from, const Vector& way) {
   std::optional<double> least;
   for (const auto& t : mesh.triangles) {
@@ -94,7 +94,7 @@ std::optional<double> nearest(const MeshArrays& mesh, const Vector& from, const 
   return least;
 }
 
-TEST(Sight, TheTreeFindsWhatALookAtEveryTriangleFinds) {
+TEST(Sight, TheTreeAgreesWithTestsOfAllTriangles) {
   const MeshArrays mesh = test::arrays_of(test::tube(24, 20, 3.0));
   const Sight sight = sight_of(mesh);
   std::mt19937 random(7);

@@ -1,4 +1,4 @@
-// Work on a mesh where it is asked for: drawn curves and legs on the surface, values of one curve.
+// Work on a mesh without a thread: drawn curves and legs on the surface, values of one curve.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -137,7 +137,7 @@ TEST(Workplace, SeesTheMesh) {
 }
 
 /// Two strokes around the tube, far apart: each is smoothed as if it was alone.
-/// What it does not know is kept for the other method, and does not stand in its way.
+/// Settings that the method does not know are kept for the other method, and do no harm.
 TEST(Workplace, ThePapersMethodIsChosenByASetting) {
   Tube tube;
   tube.click({Tube::vertex(0, 5), Tube::vertex(12, 20), Tube::vertex(24, 10)});
@@ -155,7 +155,7 @@ TEST(Workplace, ThePapersMethodIsChosenByASetting) {
   EXPECT_EQ(potential(), "corridor");
 }
 
-/// Around the tube, and a little over its own beginning, two rows higher.
+/// The stroke runs around the tube and a little past its own beginning, two rows higher.
 TEST(Workplace, APaintedStrokeThatComesBackIsALoop) {
   Tube tube;
   for (std::uint32_t k = 0; k < 51; ++k) {

@@ -139,7 +139,7 @@ TEST_F(OpenMeshPlugin, BadAttributesAreRefused) {
   EXPECT_EQ(sentence_of([&] {
               instance.set_attributes({good, good});
             }),
-            "The attribute \"x\" is there twice.");
+            "The attribute \"x\" is given twice.");
   EXPECT_EQ(refusal_of(attribute("x", TALWEG_OF_VERTICES, 1, {1, 2})),
             "The attribute \"x\" has 2 rows, not 49.");
   EXPECT_EQ(refusal_of(attribute("x", 9, 1, counted(n))),

@@ -174,8 +174,9 @@ TEST_F(OpenMeshHost, DeletedElementsAreSkippedAndHandlesStayValid) {
             "is deleted.");
   openmesh::Curve inside;
   inside.points.push_back({VertexHandle(), FaceHandle(-1), {1, 0, 0}});
-  EXPECT_EQ(sentence_of([&] { instance.set_curves({inside}); }),
-            "Curve 0 has the face handle -1, and the mesh no such face, or a deleted one.");
+  EXPECT_EQ(
+      sentence_of([&] { instance.set_curves({inside}); }),
+      "Curve 0 has the face handle -1, but this face of the mesh does not exist or is deleted.");
   EXPECT_EQ(
       sentence_of([&] { instance.put_fields(results, *std::make_unique<Double>()); }).substr(0, 34),
       "The mesh has 0 vertices and 0 face");

@@ -52,7 +52,8 @@ TEST_F(OpenMeshPlugin, FieldsAreProperties) {
   instance.set("seeds", std::vector<std::uint32_t>{999});
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "seeds has vertex 999, and the mesh has 49.");
   instance.set("weight", std::vector<double>{1, 2});
-  EXPECT_EQ(sentence_of([&] { run("copy"); }), "weight has 2 values, and the mesh 49.");
+  EXPECT_EQ(sentence_of([&] { run("copy"); }),
+            "weight has 2 values, but the mesh has 49 elements for them.");
 }
 
 TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {
@@ -60,14 +61,14 @@ TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {
   EXPECT_EQ(refusal({{0, 1, 2}, {0, 2, 8}}), "Face 1 has vertex 8, and the mesh has 8 vertices.");
   EXPECT_EQ(refusal({{0, 1, 2}, {3, 4, 3}}), "Face 1 has vertex 3 twice.");
   EXPECT_EQ(refusal({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}),
-            "Face 2 has the edge from vertex 0 to 1, and so has face 0: more than two faces meet "
-            "there, or one is turned over.");
+            "Face 2 has the edge from vertex 0 to 1, and so has face 0: more than two faces share "
+            "the edge, or one of the two has the opposite orientation.");
   // Two tetrahedra that share vertex 0: OpenMesh has no vertex with two closed fans.
   EXPECT_EQ(
       refusal(
           {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}),
-      "Face 4 meets other faces at vertex 0 without an edge between them, and a side is closed "
-      "there.");
+      "Face 4 meets other faces at vertex 0 without a common edge, and one of the fans of faces "
+      "there is closed.");
   // OpenMesh can hold two triangles that share a vertex.
   EXPECT_EQ(refusal({{0, 1, 2}, {0, 3, 4}}), "no error");
   std::vector<double> xyz(9, 0);

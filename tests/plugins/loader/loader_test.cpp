@@ -111,9 +111,9 @@ TEST_F(LoaderTest, PluginsOfGoodModulesAreLoaded) {
 }
 
 TEST_F(LoaderTest, OtherMajorVersionsAreRefusedAndNewerMinorVersionsWork) {
-  expect_refused("older_major", "made for the plugin interface 0.9, and this is 1.2");
-  expect_refused("newer_major", "made for the plugin interface 2.0, and this is 1.2");
-  expect_refused("needs_newer", "needs the plugin interface 1.5, and this is 1.2");
+  expect_refused("older_major", "made for the plugin interface 0.9, but this host has 1.2");
+  expect_refused("newer_major", "made for the plugin interface 2.0, but this host has 1.2");
+  expect_refused("needs_newer", "needs the plugin interface 1.5, but this host has 1.2");
   expect_refused("refuses_host", "does not work with hosts of the plugin interface 1.2");
   put("newer_minor", "newer.so");
   const test::Loader loader = open();
@@ -167,7 +167,7 @@ TEST_F(LoaderTest, FilesThatAreNoPluginsAreRefusedAndLoadingContinues) {
       {"foreign.so", "no symbol talweg_plugin_entry"},
       {"small.so", "too small"},
       {"none.so", "no plugins"},
-      {"twice.so", "there twice"},
+      {"twice.so", "listed twice"},
       {"default.so", "parameter weight that has a default out of its range"},
       {"id.so", "without a proper id"},
       {"lacks.so", "lacks a function"},

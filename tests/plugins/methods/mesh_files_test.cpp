@@ -116,7 +116,7 @@ TEST_F(MeshFilesOfPlugin, CountPolygonsAndTellWhatTheyDoNotRead) {
   EXPECT_EQ(seen.left_out.size(), 1U);
   seen.answer = TALWEG_OUT_OF_MEMORY;
   EXPECT_EQ(read("a.off", seen), TALWEG_HOST_FAILED);
-  EXPECT_STREQ(message_, "The host did not take the mesh.");
+  EXPECT_STREQ(message_, "The host refused the mesh.");
 }
 
 TEST_F(MeshFilesOfPlugin, WriteColumnsOfAttributesAndEdges) {

@@ -77,7 +77,7 @@ struct CutPlugin : OnHills {
   }
 };
 
-TEST_F(CutPlugin, TellsWhereEverythingComesFrom) {
+TEST_F(CutPlugin, TellsTheOriginOfAllElements) {
   instance.set("open", 1.0);
   const host::Results results = run_with_meshes();
   ASSERT_EQ(results.meshes.size(), 1U);
@@ -269,7 +269,7 @@ TEST_F(CutPlugin, RefusesAttributesThatDoNotFit) {
   EXPECT_EQ(sentence_of([&] {
               instance.set_attributes({good, good});
             }),
-            "The attribute \"a\" is there twice.");
+            "The attribute \"a\" is given twice.");
 }
 
 TEST_F(CutPlugin, GivesOnlyWhatTheLastRunMade) {
@@ -387,7 +387,7 @@ TEST_F(LabelsPlugin, IsTheLibrarysNetwork) {
   EXPECT_EQ(results.number("borders.0.right"), 7);
 }
 
-TEST_F(LabelsPlugin, RefusesLabelsThatAreNone) {
+TEST_F(LabelsPlugin, RefusesInvalidLabels) {
   EXPECT_EQ(sentence_of([&] { instance.run(); }),
             "There are no labels: set triangle_labels or vertex_labels.");
   instance.set("triangle_labels", std::vector<double>{1, 2});
@@ -401,7 +401,7 @@ TEST_F(LabelsPlugin, RefusesLabelsThatAreNone) {
             "Labels of triangles (triangle_labels) must be whole numbers, not 1.5 at 5.");
   instance.set("vertex_labels", std::vector<double>{1});
   EXPECT_EQ(sentence_of([&] { instance.run(); }),
-            "There are labels of triangles and of vertices; one is enough.");
+            "Both triangle_labels and vertex_labels are set; set only one of them.");
 }
 
 struct RepairPlugin : OnHills {
@@ -418,7 +418,7 @@ struct RepairPlugin : OnHills {
   }
 };
 
-TEST_F(RepairPlugin, MakesASurfaceAndTellsWhatBecameOfEverything) {
+TEST_F(RepairPlugin, MakesASurfaceAndTellsTheNewNumberOfEverything) {
   const MeshLists lists = broken();
   test::set_mesh(instance, lists);
   std::vector<double> faces;
@@ -443,7 +443,7 @@ TEST_F(RepairPlugin, MakesASurfaceAndTellsWhatBecameOfEverything) {
                 host::view(mesh.triangles.front().data(), mesh.triangles.size(), 3));
 }
 
-TEST_F(RepairPlugin, TellsOfListsThatNothingHelps) {
+TEST_F(RepairPlugin, ReportsListsThatCannotBeRepaired) {
   MeshLists lists = subject.lists;
   lists.triangles[3][0] = 999999;
   test::set_mesh(instance, lists);
@@ -478,7 +478,7 @@ class RepairParameter : public RepairPlugin {
   }
 };
 
-TEST_F(RepairParameter, ResultsHaveTheNumbersThatCameIn) {
+TEST_F(RepairParameter, ResultsHaveTheNumbersOfTheInput) {
   EXPECT_NE(sentence_of([&] { test::set_mesh(smooth, lists); }), "no error");
   smooth.set("repair", 1.0);
   test::set_mesh(smooth, lists);

@@ -316,11 +316,11 @@ TEST(BipartitionPlugin, GivesEachLoopItsCurveRunningAsDrawn) {
   }
 }
 
-TEST(BipartitionPlugin, RefusesWhatHasNoTwoSides) {
+TEST(BipartitionPlugin, RefusesCurvesWithoutTwoSides) {
   OnMesh on("talweg.bipartition", test::grid(20, 12));
   const auto at = [](std::uint32_t x, std::uint32_t y) { return x + 21 * y; };
   const std::string ends_inside = on.sentence({edge_path(on.mesh, {at(9, 0), at(9, 8)}, false)});
-  EXPECT_NE(ends_inside.find("does not part the mesh in two sides: at ("), std::string::npos);
+  EXPECT_NE(ends_inside.find("does not separate the mesh into two sides: at ("), std::string::npos);
   host::Curve small;  // within one face
   small.closed = true;
   small.positions = {{3.5, 3.1, 0}, {3.8, 3.1, 0}, {3.8, 3.4, 0}};
@@ -363,7 +363,7 @@ TEST(BipartitionPlugin, TheGuardGivesFacesOfSourcesADirection) {
   EXPECT_EQ(guarded.number("stray_curves"), 0);
   for (const auto& p : guarded.curves[0].positions) EXPECT_NEAR(p[1], 10.5, 0.6);
   EXPECT_LT(guarded.number("curvature_after"), 0.5 * guarded.number("curvature_before"));
-  // Smoothing hides what the guard does; before it, the guard alone has to.
+  // Smoothing would hide the effect of the guard, so there is no smoothing here.
   on.instance.set("iterations", 0.0);
   const double with = on.run({teeth}).number("curvature_after");
   on.instance.set("guard", 0.0);

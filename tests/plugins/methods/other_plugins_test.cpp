@@ -238,7 +238,7 @@ TEST_F(DistancePlugin, ThePapersPotentialFollowsItsFormula) {
   EXPECT_EQ(results.number("distance_max"), largest);
 }
 
-TEST_F(DistancePlugin, IsInfiniteWhereNoCurveIs) {
+TEST_F(DistancePlugin, IsInfiniteOnComponentsWithoutCurves) {
   const MeshLists two = test::together(lists_, lists_, 100);
   for (const char* potential : {"corridor", "paper"}) {
     test::set_mesh(instance_, two);

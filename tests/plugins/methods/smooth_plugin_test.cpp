@@ -124,7 +124,7 @@ TEST_F(SmoothPlugin, PassesEveryOptionOn) {
 }
 
 /// Hosts set all that they show before each run.
-TEST_F(SmoothPlugin, WhatIsSetAsItWasCostsNothing) {
+TEST_F(SmoothPlugin, SettingTheSameValuesCostsNothing) {
   smooth_.set_curves({subject_.curve});
   const double solved = smooth_.run().number("time_ms.solve");
   smooth_.reset("click_distance");
@@ -432,7 +432,7 @@ TEST_F(SmoothPlugin, PreviewsOfMoreThanOneChangeAreWhole) {
   EXPECT_EQ(smooth_.run().text("engine"), "local");
 }
 
-TEST_F(SmoothPlugin, PreviewsWithWhatTheBoundLedTo) {
+TEST_F(SmoothPlugin, PreviewsUseTheSlackThatTheBoundLedTo) {
   smooth_.set_curves({subject_.curve});
   smooth_.set("max_deviation", 1.0);
   const host::Results found = smooth_.run();

@@ -238,8 +238,7 @@ TEST_F(WayPointsPlugin, ABadFieldIsRefusedAndChangesNothing) {
   for (const double bad : {-0.5, -4.0, std::numeric_limits<double>::infinity(),
                            std::numeric_limits<double>::quiet_NaN()}) {
     const std::string said = sentence(marked(bad));
-    EXPECT_NE(said.find("expected a tolerance of 0 or more, -1 (nothing is said)"),
-              std::string::npos)
+    EXPECT_NE(said.find("expected a tolerance of 0 or more, -1 (no mark)"), std::string::npos)
         << said;
   }
   EXPECT_TRUE(same_bits(smooth_.run().curves.at(0), before));

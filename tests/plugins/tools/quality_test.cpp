@@ -268,7 +268,7 @@ TEST(Goals, SteadinessGoalsCountStepsAndWorstCases) {
   EXPECT_EQ(goal(reached, "worst drawing").reached, "12.0 %");
   EXPECT_EQ(goal(reached, "apart from the coarse mesh's, median").reached, "0.4 h₀");
   EXPECT_EQ(goal(reached, "apart from the coarse mesh's, worst").reached, "0.6 h₀; within in 50 %");
-  EXPECT_EQ(goal(reached, "or under, worst").reached, "1.25; within in 50 %");
+  EXPECT_EQ(goal(reached, "larger / smaller, worst").reached, "1.25; within in 50 %");
   EXPECT_TRUE(tables(reached).starts_with("| goal | asked | reached | met |\n|---|"));
   EXPECT_TRUE(goals({}, {}, {}).empty());
 }

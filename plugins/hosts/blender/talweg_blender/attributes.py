@@ -13,7 +13,7 @@ _KINDS = {"FLOAT": ("value", 1, np.float32), "INT": ("value", 1, np.int32),
 _EDGE_FLAGS = {"use_seam": bool, "use_edge_sharp": bool, "use_freestyle_mark": bool,
                "crease": np.float32, "bevel_weight": np.float32}
 _FACE_FLAGS = {"material_index": np.int32, "use_smooth": bool, "use_freestyle_mark": bool}
-_FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # handled apart
+_FLAG_ATTRIBUTES = ("position", "material_index", "sharp_face", "sharp_edge")  # handled separately
 
 
 def read(items, member, columns=1, dtype=np.float32):

@@ -67,7 +67,7 @@ def edges_of(made, layout, saved, loose, became):
 
 
 def _first_ones(saved, became):
-    """For each old edge the first that a repair made equal to it by welding vertices."""
+    """For each old edge the first old edge with the same ends after a repair has welded vertices."""
     if became is None:
         return np.arange(len(saved.edges))
     _, first, number = np.unique(keys(became[saved.edges], len(became)), return_index=True,

@@ -69,7 +69,7 @@ def _drawing(context, obj):
 
 
 class TALWEG_OT_cut(_OnMesh, bpy.types.Operator):
-    """Make selected curve objects edges of the active mesh; it keeps all that it has"""
+    """Make selected curve objects edges of the active mesh; the mesh keeps all its data"""
 
     bl_idname = "talweg.cut"
     bl_label = "Cut Along Curve"
@@ -130,7 +130,7 @@ class TALWEG_OT_group_borders(_Borders, bpy.types.Operator):
 
 
 class TALWEG_OT_repair(_OnMesh, bpy.types.Operator):
-    """Make a surface of the mesh: weld, drop, orient and split what keeps curves from it"""
+    """Repair the mesh to a surface that curves can lie on: weld, drop, orient and split"""
 
     bl_idname = "talweg.repair"
     bl_label = "Repair for Talweg"

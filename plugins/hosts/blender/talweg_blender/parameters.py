@@ -24,7 +24,7 @@ _CHOICES = {"corridor": ("Corridor", "Flat within the slack, then the exact dist
             "convex": ("Ridges", "Edges and crests, which stand out"),
             "concave": ("Valleys", "Creases and fissures")}
 
-_CHOICE_TEXTS = {"potential": "What keeps the curve close to the drawing",
+_CHOICE_TEXTS = {"potential": "The potential that keeps the curve close to the drawing",
                  "ends": "Which open curves become loops",
                  "ridge_kind": "The kind of ridges that attract the drawing, if the strength is above 0"}
 

@@ -10,8 +10,8 @@ from . import sound_polygons
 class Layout:
     """Polygons with their corners: ``starts`` and ``totals`` (k,) as in Blender; ``loop_vertices`` and
     ``loop_from``, for each corner its vertex and its corner of the triangles, 3 * triangle + 0, 1 or 2;
-    ``old_loops``, the old corner, or -1; ``polygon_from``, the old polygon of each, or -1; ``triangle_of``, a
-    triangle of each."""
+    ``old_loops``, the old corner, or -1; ``polygon_from``, the old polygon of each polygon, or -1; ``triangle_of``,
+    a triangle of each polygon."""
 
     def __init__(self, whole, parts, faces):
         loops = [np.array(part.corners, np.int64) for part in parts]

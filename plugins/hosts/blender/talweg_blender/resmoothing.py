@@ -12,7 +12,7 @@ from .package import talweg
 #: tool does while it edits the curve.
 others = []
 
-_wrong = {}  # from the name of a curve object to the error that its last value led to
+_wrong = {}  # the error of the last value, by the name of the curve object
 
 
 def smooth(context, curve, trust=True):
@@ -23,8 +23,8 @@ def smooth(context, curve, trust=True):
     """
     kept, obj = settings.of(curve), curve.parent
     if kept.as_shown and session.is_changed(obj) and (obj.mode != "OBJECT" or not obj.visible_get()):
-        raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers, which are seen only in "
-                              "object mode while it is not hidden.")
+        raise talweg.BadUsage(f"{curve.name} lies on {obj.name} with its modifiers. Blender applies them "
+                              f"only in object mode, and while {obj.name} is visible.")
     place = session.surface_of(context, obj, kept.as_shown, trust)
     drawn = settings.drawn_on(curve, place)
     with named([curve.name]):

@@ -85,7 +85,7 @@ def _is_same(kept, arrays):
 
 
 def smooth(surface, curves, parameters, **how):
-    """As Surface.smooth(); last_result() returns the result afterwards."""
+    """Smooths as Surface.smooth() does; last_result() returns the result afterwards."""
     _Kept.result = None
     _Kept.result = surface.smooth(curves, parameters, **how)
     return _Kept.result

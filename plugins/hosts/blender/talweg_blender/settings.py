@@ -33,7 +33,7 @@ def _changed(settings, context):
 
 
 class TALWEG_PG_settings(bpy.types.PropertyGroup):
-    """The values of a curve object. A change of one smooths the drawing of the object again."""
+    """The values of a curve object. A change of a value smooths the drawing of the object again."""
 
 
 def own(changed):

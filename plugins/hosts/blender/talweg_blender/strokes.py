@@ -18,7 +18,7 @@ class Item(NamedTuple):
     points: np.ndarray  # (n, 3), in the space of the mesh object
     cyclic: bool = False
     exact: bool = False  # its points are way-points, set one by one
-    reason: str = ""  # why the item is on no surface; empty: it may be on one
+    reason: str = ""  # why the item does not lie on a surface; empty: it may lie on one
 
 
 def annotations(context, obj):

@@ -15,11 +15,11 @@ CurvesBox::CurvesBox(QWidget* parent) : QGroupBox(tr("Curves"), parent) {
   clear_ = make_button(this, "Clear", Sign::kBin, tr("Remove all"),
                        tr("Removes all curves of this mesh."));
   pin_ = make_button(this, "Pin", Sign::kPin, tr("Pin"),
-                     tr("Pins all points of the selected curve, or lets all go."));
+                     tr("Pins or unpins all points of the selected curve."));
   closed_ = make_button(this, "Closed", Sign::kLoop, tr("Closed"),
                         tr("Closes the selected curve, or opens it."));
   go_on_ = make_button(this, "Continue", Sign::kPencil, tr("Go on"),
-                       tr("Draws on at the end of the selected curve."));
+                       tr("Continues the selected curve at its end."));
   pin_->setCheckable(true);
   closed_->setCheckable(true);
   auto* numbers = new QGridLayout;

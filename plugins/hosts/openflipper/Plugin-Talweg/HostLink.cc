@@ -221,7 +221,7 @@ void HostLink::look_at(const ACG::Vec3d& place, const ACG::Vec3d& normal) {
 // ---- Progress
 
 void HostLink::look_at_progress() {
-  for (const auto& [mesh, session] : sessions_.all()) session->leave_what_never_ends();
+  for (const auto& [mesh, session] : sessions_.all()) session->abandon_endless_work();
   const Session* session = sessions_.now();
   editing::Progress progress = session == nullptr ? editing::Progress() : session->progress();
   if (progress.task == editing::Task::kLeg)

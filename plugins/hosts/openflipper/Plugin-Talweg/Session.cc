@@ -138,7 +138,7 @@ void Session::after_edit() {
 void Session::go_to(std::uint64_t number) {
   const std::size_t before = drawing().curves.size();
   if (!now_.editor.history().go_to(number)) {
-    fail(edit_error_, "This state of the drawing is no longer there.");
+    fail(edit_error_, "This state is no longer in the history of the drawing.");
     return;
   }
   line_.is_at(number);
@@ -339,12 +339,12 @@ void Session::take_opened(const editing::Outcome& outcome) {
   }
 }
 
-void Session::leave_what_never_ends() {
+void Session::abandon_endless_work() {
   const editing::Progress progress = requests_.progress();
   if (progress.cancelled_ms < kPatienceMs) return;
   fail(work_error_,
-       QString("The plugin %1 has not ended two seconds after it was cancelled, and is "
-               "given up; the mesh is opened again.")
+       QString("The plugin %1 has not ended two seconds after it was cancelled. Its work was "
+               "abandoned, and the mesh is opened again.")
            .arg(editing::plugin_of(progress.task)));
   open();
   requests_.asked_already(drawing());  // a task that did not end is not started again without a new
@@ -487,7 +487,9 @@ bool Session::split(bool lids, std::vector<int>& parts) {
       const QString name = QString("%1 part %2").arg(name_).arg(parts.size() + 1);
       parts.push_back(host_.add_mesh(name, std::move(part)));
     }
-    host_.say(QString("%1 has %2 parts now; itself it is as it was.").arg(name_).arg(parts.size()));
+    host_.say(QString("%1 was split into %2 new meshes; %1 itself is unchanged.")
+                  .arg(name_)
+                  .arg(parts.size()));
   });
 }
 

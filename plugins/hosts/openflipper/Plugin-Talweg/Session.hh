@@ -97,7 +97,7 @@ class Session {
   void wait();
   void cancel() { requests_.cancel(); }
   /// Abandons, with a message, a faulty plugin that does not end a cancelled task.
-  void leave_what_never_ends();
+  void abandon_endless_work();
   [[nodiscard]] editing::Progress progress() const { return requests_.progress(); }
 
   [[nodiscard]] const host::Results& results() const { return results_; }

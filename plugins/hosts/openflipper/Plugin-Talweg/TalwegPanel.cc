@@ -47,7 +47,7 @@ QWidget* TalwegPanel::make_head() {
   problem_ = wrapped("talwegProblem", head);
   problem_->setStyleSheet("color: #b00000");
   repair_ = button("Repair", Sign::kTool, tr("Repair"),
-                   tr("Draws on the mesh as if it was repaired; the mesh itself stays."),
+                   tr("Draws on the mesh as if it was repaired; the mesh itself is unchanged."),
                    &TalwegPanel::repair);
   undo_ = button("Undo", Sign::kBack, tr("Undo"), {}, &TalwegPanel::undo);
   redo_ = button("Redo", Sign::kForward, tr("Redo"), {}, &TalwegPanel::redo);
@@ -84,7 +84,8 @@ QGroupBox* TalwegPanel::make_draw_group() {
 
 QToolButton* TalwegPanel::from_button() {
   QToolButton* from =
-      button("From", Sign::kFrom, tr("From"), tr("Curves from what is there already."), nullptr);
+      button("From", Sign::kFrom, tr("From"),
+             tr("Curves from a selection, from face colours or from polylines."), nullptr);
   auto* menu = new QMenu(from);
   const auto add = [&](const QString& text, Signal signal) {
     connect(menu->addAction(text), &QAction::triggered, this, signal);
@@ -104,21 +105,22 @@ QGroupBox* TalwegPanel::make_shape_group() {
   grid->setContentsMargins(3, 2, 3, 3);
   grid->setVerticalSpacing(3);
   grid->setColumnStretch(1, 1);
-  tau_ = new NumberRow(
-      {"talwegTau", tr("Tau"),
-       tr("0: straight lines; more keeps closer to the drawing, and is tighter between clicks."),
-       QString()},
-      16, false, grid, group);
+  tau_ = new NumberRow({"talwegTau", tr("Tau"),
+                        tr("0: straight lines; higher values keep closer to the drawing, and are "
+                           "tighter between clicks."),
+                        QString()},
+                       16, false, grid, group);
   slack_ = new NumberRow({"talwegSlack", tr("Slack"),
-                          tr("How exact the drawing is, in mesh units. Unticked it is as wide as "
-                             "the hand trembled."),
+                          tr("How exact the drawing is, in mesh units. Unticked: the width of the "
+                             "hand's tremor."),
                           tr("units")},
                          1, true, grid, group);
-  bound_ = new NumberRow({"talwegBound", tr("Within"),
-                          tr("The smoothest curve that stays within this distance of the drawing, "
-                             "in mesh units; chooses tau and slack. Unticked: how far it is now."),
-                          tr("units")},
-                         1, true, grid, group);
+  bound_ =
+      new NumberRow({"talwegBound", tr("Within"),
+                     tr("The smoothest curve that stays within this distance of the drawing, "
+                        "in mesh units; chooses tau and slack. Unticked: the present distance."),
+                     tr("units")},
+                    1, true, grid, group);
   make_taking(grid, group);
   make_ridges(grid, group);
   connect_number(tau_, "Tau");
@@ -133,21 +135,21 @@ QGroupBox* TalwegPanel::make_shape_group() {
 /// Rows for the interpretation of the drawing as clicks or strokes.
 void TalwegPanel::make_taking(QGridLayout* grid, QWidget* group) {
   clicks_ = new NumberRow({"talwegClicks", tr("One click"),
-                           tr("Clicks that follow each other within this distance are one, in mesh "
-                              "units. Unticked: an edge of the mesh."),
+                           tr("Successive clicks within this distance are merged, in mesh units. "
+                              "Unticked: an edge of the mesh."),
                            tr("units")},
                           1, true, grid, group);
   ends_ = choice(tr("Ends"), grid, group);
   ends_->setObjectName("talwegEnds");
   ends_->addItems(
       {tr("Returning strokes are loops"), tr("All curves are loops"), tr("Open curves stay open")});
-  ends_->setToolTip(tr("What becomes of the ends of curves that are not closed."));
+  ends_->setToolTip(tr("The treatment of the ends of curves that are not closed."));
   connect_number(clicks_, "Click distance");
   connect(clicks_, &NumberRow::changed, this, &TalwegPanel::click_distance_changed);
   connect(ends_, QOverload<int>::of(&QComboBox::activated), this, &TalwegPanel::ends_changed);
 }
 
-/// Strength and kind of what attracts the drawing.
+/// Rows for the strength and the kind of the ridges that attract the drawing.
 void TalwegPanel::make_ridges(QGridLayout* grid, QWidget* group) {
   ridges_ = new NumberRow({"talwegRidges", tr("Ridges"),
                            tr("How strongly ridges and valleys beside the drawing attract it: 0 "
@@ -157,7 +159,7 @@ void TalwegPanel::make_ridges(QGridLayout* grid, QWidget* group) {
   ridge_kind_ = choice(tr("Snap to"), grid, group);
   ridge_kind_->setObjectName("talwegRidgeKind");
   ridge_kind_->addItems({tr("Ridges and valleys"), tr("Ridges, which stand out"), tr("Valleys")});
-  ridge_kind_->setToolTip(tr("What attracts the drawing."));
+  ridge_kind_->setToolTip(tr("The kind of ridges that attract the drawing."));
   connect_number(ridges_, "Snap to ridges");
   connect(ridges_, &NumberRow::changed, this, [this](bool, double v) { emit ridges_changed(v); });
   connect(ridge_kind_, QOverload<int>::of(&QComboBox::activated), this,
@@ -189,7 +191,7 @@ QGroupBox* TalwegPanel::make_result_group() {
                 tr("Makes the smoothed curves edges of the mesh, and selects them."),
                 &TalwegPanel::cut);
   split_ = button("Split", Sign::kParts, tr("Split"),
-                  tr("Makes a mesh of each part that the smoothed curves leave."), nullptr);
+                  tr("Makes a mesh of each part between the smoothed curves."), nullptr);
   lids_ = new QCheckBox(tr("with lids"), group);
   lids_->setObjectName("talwegLids");
   lids_->setToolTip(tr("Split closes the parts where they were cut."));
@@ -215,7 +217,7 @@ QGroupBox* TalwegPanel::make_result_group() {
 QWidget* TalwegPanel::make_foot() {
   auto* foot = new QWidget(this);
   progress_ = new QProgressBar(foot);
-  cancel_ = button("Cancel", Sign::kCross, tr("Cancel"), tr("Stops what is being computed."),
+  cancel_ = button("Cancel", Sign::kCross, tr("Cancel"), tr("Stops the computation."),
                    &TalwegPanel::cancel);
   cancel_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   hint_ = wrapped("talwegHint", foot);
@@ -247,7 +249,7 @@ void TalwegPanel::show_state(const PanelState& state) {
   undo_->setEnabled(state.can_undo);
   redo_->setEnabled(state.can_redo);
   undo_->setToolTip(tr("Takes the last edit back (Ctrl+Z): %1").arg(state.undo_name));
-  redo_->setToolTip(tr("Does it again (Ctrl+Y): %1").arg(state.redo_name));
+  redo_->setToolTip(tr("Repeats the edit that was taken back (Ctrl+Y): %1").arg(state.redo_name));
   show_settings(state);
   show_problem(state);
   show_result(state);
@@ -268,8 +270,9 @@ void TalwegPanel::show_settings(const PanelState& state) {
   ridge_kind_->setCurrentIndex(static_cast<int>(state.settings.ridge_kind));
   ridge_kind_->setEnabled(state.settings.ridges > 0);
   const QString no_stroke =
-      state.all_clicked ? tr("Between clicked points the curve is free; this is for painted ones.")
-                        : QString();
+      state.all_clicked
+          ? tr("The curve is free between clicked points; this value is for painted strokes.")
+          : QString();
   slack_->show_use(no_stroke);
   bound_->show_use(no_stroke);
   tau_->show_use(state.settings.max_deviation && !state.all_clicked ? tr("\"Within\" chooses it.")

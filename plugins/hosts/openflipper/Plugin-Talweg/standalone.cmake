@@ -29,7 +29,7 @@ endif()
 find_package(${qt} REQUIRED COMPONENTS ${parts})
 list(TRANSFORM parts PREPEND ${qt}::)
 
-option(TALWEG_BUILD_PROBE "Build the plugin that the tests look through" OFF)
+option(TALWEG_BUILD_PROBE "Build the plugin by which the tests inspect the host" OFF)
 
 set(host ${OPENFLIPPER_SOURCE_DIR})
 file(GLOB types ${host}/Type-*)

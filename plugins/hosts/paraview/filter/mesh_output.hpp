@@ -14,8 +14,8 @@ void give(const host::Mesh& mesh, const host::Origin& origin, const MeshInput& f
           vtkPolyData& out);
 
 /// The curves' chains of edges on the meshes of a run, as lines; the cell array curve has the
-/// curve's number. At an opened seam the first vertex of a place is used. A curve that is partly in
-/// no mesh has a line for each part.
+/// curve's number. At an opened seam the first vertex of a place is used. If parts of a
+/// curve are in no mesh, each of its other parts is a line.
 void give_chains(const std::vector<host::Mesh>& meshes, const std::vector<host::Origin>& origins,
                  vtkPolyData& out);
 

@@ -65,8 +65,8 @@ void add_lines(const host::Results& results, vtkPolyData& out) {
   out.SetLines(lines);
 }
 
-/// Point arrays of the fields, which all curves have alike. The field of turns at points is not
-/// called curvature, which ParaView's users expect to be per length.
+/// Adds a point array for each field; all curves have the same fields. The field of turns at points
+/// is not called curvature, which ParaView's users expect to be per length.
 void add_point_fields(const host::Results& results, vtkPolyData& out) {
   if (results.curves.empty()) return;
   for (std::size_t f = 0; f < results.curves.front().fields.size(); ++f) {

@@ -205,7 +205,7 @@ std::string advice_on_mesh(Session& session) {
            "the Pipeline Browser) chooses another.";
   }
   const bool tick = session.number("repair", 0) == 0 && session.can_be_repaired();
-  return tick ? " Tick Repair to mend the mesh, and to be told what is changed." : "";
+  return tick ? " Tick Repair to repair the mesh; a message then lists the changes." : "";
 }
 
 /// The plugin's sentence, with advice for ParaView's user.
@@ -244,7 +244,7 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                                                 // has no result
     const std::string sentence =
         advice(this->InWordsOfPanel(error.what()), error.status(), this->GetSession());
-    this->Tell(cancelled ? "Stopped. Any change, and Apply, runs it again."
+    this->Tell(cancelled ? "Stopped. Change any value and press Apply to run the filter again."
                          : "No result: " + sentence);
     if (!cancelled) vtkErrorMacro(<< sentence);
   } catch (const std::exception& error) {

@@ -51,7 +51,7 @@ void set_parameter(const std::string& word, const talweg_plugin& plugin,
       session.set(id, talweg::paraview::Choice{value});
     } else if (parameter.type <= TALWEG_BOOLEAN) {
       const std::vector<double> numbers = talweg::paraview::numbers(value, parameter.label);
-      if (numbers.size() != 1) throw std::runtime_error("Parameters: " + id + " has no number.");
+      if (numbers.size() != 1) throw std::runtime_error("Parameters: " + id + " needs one number.");
       session.set(id, numbers[0]);
     } else {
       throw std::runtime_error("Parameters: " + id + " is an array, which this filter cannot set.");

@@ -256,7 +256,7 @@ void vtkTalwegSmooth::Work(vtkDataSet& mesh, vtkDataObject* curves, vtkDataObjec
                                             results.number("deviation_from_drawn_max"));
   this->Tell(talweg::paraview::outcome(results) +
              (this->Inside->WithDistance ? "\nThe distance to the drawing is on the output Mesh: "
-                                           "show it instead of the mesh that came in."
+                                           "show it instead of the input mesh."
                                          : ""));
   talweg::paraview::give(results, session.mesh(), *vtkPolyData::GetData(&outputs, 0));
   this->Inside->keep_curve(results);

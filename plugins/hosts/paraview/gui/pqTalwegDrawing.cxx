@@ -56,8 +56,8 @@ pqTalwegDrawing::pqTalwegDrawing(vtkSMProxy* proxy, vtkSMPropertyGroup* group, Q
   this->Draw->setObjectName("DrawOnMesh");
   this->Draw->setChecked(true);
   auto* hint = new QLabel(tr("A click adds a point; a click on the first closes the drawing. Drag "
-                             "points, or the curve for a new one. Delete removes the chosen point. "
-                             "Dragging beside them turns the view."),
+                             "a point to move it; drag the curve to insert a point. Delete removes "
+                             "the chosen point. Dragging anywhere else turns the view."),
                           this);
   hint->setWordWrap(true);
   if (auto* box = qobject_cast<QBoxLayout*>(this->layout())) {

@@ -188,18 +188,18 @@ constexpr const char* kLabelsEnd = R"(
 constexpr const char* kRun = R"(
 <SourceProxy name="TalwegPlugin" class="vtkTalwegRun" label="Talweg Plugin">
 <Documentation short_help="Runs any plugin that makes meshes."
-               long_help="Runs any plugin that makes meshes.">Runs any plugin that makes meshes, also
-  one of somebody else's, in a folder of TALWEG_PLUGIN_PATH.</Documentation>)";
+               long_help="Runs any plugin that makes meshes.">Runs any plugin that makes meshes,
+  including plugins by others in the folders of TALWEG_PLUGIN_PATH.</Documentation>)";
 
 constexpr const char* kRunProperties = R"(
 <StringVectorProperty name="Plugin" command="SetPlugin" number_of_elements="1"
                       default_values="talweg.cut">
-  <Documentation>The plugin's id; "talweg plugins" lists those that are there.</Documentation>
+  <Documentation>The plugin's id; "talweg plugins" lists all plugins that were found.</Documentation>
 </StringVectorProperty>
 <StringVectorProperty name="Parameters" command="SetParameters" number_of_elements="1"
                       default_values="">
-  <Documentation>Values of its parameters, such as share=0.1, separated by spaces; others have their
-    defaults. "talweg run PLUGIN --help" tells which it has.</Documentation>
+  <Documentation>Values of the plugin's parameters, such as share=0.1, separated by spaces; other
+    parameters have their defaults. "talweg run PLUGIN --help" lists the parameters.</Documentation>
 </StringVectorProperty>
 )";
 

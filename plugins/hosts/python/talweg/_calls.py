@@ -15,7 +15,8 @@ _Call = TypeVar("_Call", bound=Callable[..., Any])
 
 
 def mesh_first(function: _Call) -> _Call:
-    """A decorator: the function also takes (vertices, faces, ...), as before version 0.2, with a warning."""
+    """A decorator: the function also accepts the arguments before version 0.2, (vertices, faces, ...), with a
+    warning."""
 
     @functools.wraps(function)
     def call(*given: Any, **named: Any) -> Any:

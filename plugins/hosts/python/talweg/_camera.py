@@ -42,7 +42,7 @@ def axes_for(direction: Array, up: Array) -> Floats:
     """The axes of a camera whose viewer is in this direction from the mesh."""
     forward = direction / np.linalg.norm(direction)
     right = np.cross(up / np.linalg.norm(up), forward)
-    if np.linalg.norm(right) < 1e-6:  # the view is along `up`: any other upright direction does
+    if np.linalg.norm(right) < 1e-6:  # the view is along `up`: an axis serves as the upright direction
         right = np.cross(np.eye(3)[np.argmin(np.abs(forward))], forward)
     right = right / np.linalg.norm(right)
     return np.stack([right, np.cross(forward, right), forward])

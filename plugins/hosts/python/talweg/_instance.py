@@ -252,8 +252,8 @@ class Instance:
 
     def _give_up(self) -> None:
         """Abandons the instance: its call never ends, so everything that the call uses must be kept."""
-        _log.error("The plugin %s did not end when it was cancelled, and is given up.",
-                   self.plugin.id)
+        _log.error("The plugin %s did not end when it was cancelled. Its call was abandoned, and goes on in "
+                   "the background.", self.plugin.id)
         self._given_up = True
         self._end.detach()
         _GIVEN_UP.append(self)
@@ -264,13 +264,13 @@ class Instance:
     def _exclusively(self, body: Callable[[], Any]) -> None:
         # No lock: Ctrl-C between its acquisition and the next line would leave it locked for ever.
         if self._given_up:
-            raise Internal(f"The plugin {self.plugin.id} has never ended its last call here; make a "
-                           "new mesh or workspace.")
+            raise Internal(f"The last call of the plugin {self.plugin.id} has not ended; make a new mesh or "
+                           "workspace.")
         me = object()
         try:
             self._calls.append(me)
             if self._calls[0] is not me:
-                raise BadUsage("Another call on this workspace runs; use a workspace for each "
+                raise BadUsage("Another call on this workspace is running; use a workspace for each "
                                "thread.")
             body()
         finally:

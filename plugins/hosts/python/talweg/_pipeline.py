@@ -221,10 +221,10 @@ def measure(mesh: Any, curves: Union[CurveLike, Sequence[Curve]],
     to and from other curves.
 
     :param mesh: as for cut(). :param curves: as for cut().
-    :param others: curves to compare with. As many as ``curves`` are compared one by one; another number as a
-        set.
-    :param edge: length of the windows for turning, mesh units, > 0. None: the mean edge near each curve. Give
-        the same value to compare curves.
+    :param others: curves to compare with. If they are as many as ``curves``, they are compared in pairs;
+        otherwise all together.
+    :param edge: length of the windows for turning, mesh units, > 0. None: the mean edge near each curve. Set
+        the same value for curves that you compare.
     :param closed: curves and others that are arrays are loops.
     :raises BadMesh, BadCurve, BadUsage: if the input is wrong; the sentence says what is wrong, and where.
     """

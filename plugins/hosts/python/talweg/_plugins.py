@@ -93,7 +93,7 @@ def folders() -> List[Path]:
     checkout = Path("/", *here.parts[:-4])
     if (checkout / "plugins" / "interface" / "talweg_plugin.h").is_file():
         result.append(checkout / "build" / "lib" / "talweg" / "plugins")
-    if _ON_WINDOWS:  # which has no folder that programs are installed in together
+    if _ON_WINDOWS:  # Windows has no common folder of installed libraries
         return result
     libs = ["lib", "lib64"]
     multiarch = sysconfig.get_config_var("MULTIARCH")
@@ -111,7 +111,7 @@ def _objection(module: Any) -> str:
     m = module.contents
     if m.interface_major != c.INTERFACE_MAJOR or m.needs_minor > c.INTERFACE_MINOR:
         return (f"it needs the plugin interface {m.interface_major}.{m.needs_minor}, "
-                f"and this is {c.INTERFACE_MAJOR}.{c.INTERFACE_MINOR}")
+                f"but this host has {c.INTERFACE_MAJOR}.{c.INTERFACE_MINOR}")
     if m.size < ctypes.sizeof(c.Module):
         return "its module is too small"
     for k in range(m.plugin_count):

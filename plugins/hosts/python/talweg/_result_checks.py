@@ -56,7 +56,7 @@ def _columns(array: Array) -> int:
 
 def _check_triples(array: Array, what: str) -> None:
     if array.ndim != 2 or array.shape[1] != 3:
-        raise ValueError(f"{what} has not three columns.")
+        raise ValueError(f"{what} does not have three columns.")
     wrong = np.flatnonzero(~np.isfinite(array).all(axis=1))
     if wrong.size:
         raise ValueError(f"{what} has a number in row {wrong[0]} that is not finite.")

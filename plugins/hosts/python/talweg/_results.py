@@ -29,7 +29,7 @@ class Report:
     slack: Optional[float] = None
     slack_from: Optional[str] = None  #: "trembling", "edges", "segments", "given" or "none"
     left_out: Optional[int] = None  #: points of strokes that were left out, since other points make them
-                                    #: needless
+                                    #: redundant
     left_out_max: Optional[float] = None  #: their largest distance from the smoothed drawing
     max_deviation: Optional[float] = None
     ridge_strength: Optional[float] = None  #: the next two exist only if it is above 0
@@ -78,7 +78,7 @@ class Report:
     farthest: Optional[float] = None  #: a lower bound of the largest distance between result and drawing,
                                       #: either way, and of missed way-points
     farthest_at_most: Optional[float] = None  #: its upper bound, equal if exact; infinite if not known
-    farthest_at: Optional[Tuple[float, ...]] = None  #: (3,), its place
+    farthest_at: Optional[Tuple[float, ...]] = None  #: (3,), the place of this distance
     farthest_of: Optional[str] = None  #: the owner of this place: "result", "drawing", "point", "none"
     moved: Optional[float] = None
     flips: Optional[int] = None

@@ -41,8 +41,9 @@ def _number_of(name: str, value: Any, choices: Sequence[str]) -> float:
 class Workspace:
     """Curves on a mesh and values of parameters: each run repeats only work whose input has changed.
 
-    >>> work = talweg.Mesh(vertices, faces).workspace(drawn) >>> for tau in (0, 1, 2): ...     result =
-    work.smooth(tau)     # repeats only work that depends on tau
+    >>> work = talweg.Mesh(vertices, faces).workspace(drawn)
+    >>> for tau in (0, 1, 2):
+    ...     result = work.smooth(tau)     # repeats only work that depends on tau
 
     New curves repeat the stages that depend on them; ``tau`` and most parameters only the run. A workspace
     allows one call at a time; several workspaces on one mesh may run at the same time on different threads.

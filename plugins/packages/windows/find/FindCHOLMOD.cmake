@@ -1,4 +1,4 @@
-# The one that ../../portable/cholmod built in TALWEG_CHOLMOD_BUILD, from the sources in TALWEG_SUITESPARSE.
+# The CHOLMOD that ../../portable/cholmod built in TALWEG_CHOLMOD_BUILD, from the sources in TALWEG_SUITESPARSE.
 set(CHOLMOD_LIBRARY ${TALWEG_CHOLMOD_BUILD}/libtalweg-cholmod.dll.a CACHE FILEPATH "")
 if(NOT TARGET SuiteSparse::CHOLMOD)
   add_library(SuiteSparse::CHOLMOD UNKNOWN IMPORTED GLOBAL)

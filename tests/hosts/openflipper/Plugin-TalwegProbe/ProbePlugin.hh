@@ -1,8 +1,8 @@
-// The probe is a plugin of the host for tests. It looks at Plugin-Talweg from outside: where its
-// widgets are, where a vertex is on the screen, what the scene has of the drawing, and how long it
-// takes from a movement of the mouse until a smoothed line has changed. Scripts call it
-// "talwegprobe"; the scene and the times are in the log. A name in the file TALWEG_PROBE asks for a
-// widget: it is scrolled to, and the log has its place and its text.
+// The probe is a plugin of the host for tests. It observes Plugin-Talweg from outside: the places
+// of its widgets, the place of a vertex on the screen, the objects of the drawing in the scene, and
+// the time from a movement of the mouse until a smoothed line changes. Scripts call it
+// "talwegprobe"; it writes the scene and the times to the log. A name in the file TALWEG_PROBE
+// requests a widget: the probe scrolls to it, and writes its place and its text to the log.
 #pragma once
 
 #include <QElapsedTimer>
@@ -63,8 +63,8 @@ class ProbePlugin : public QObject,
   QElapsedTimer clock_;
   QTimer asked_;
   QString what_;         // the movement that no line has followed yet; empty: none
-  double began_ms_ = 0;  // when that was
-  double paint_ms_ = 0;  // what the host's pictures have taken since
+  double began_ms_ = 0;  // the time of the movement
+  double paint_ms_ = 0;  // time that the host has spent on painting since
   bool painting_ = false;
-  QString scene_;  // as it was told last
+  QString scene_;  // as last written to the log
 };

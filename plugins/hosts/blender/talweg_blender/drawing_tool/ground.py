@@ -26,8 +26,8 @@ class Ground:
         return self._point(place, polygon, exact) if found else None
 
     def sees(self, view, position, pixels=6):
-        """Whether the surface hides the position from the eye. A part that is at most ``pixels`` before it
-        does not count."""
+        """Whether the eye sees the position: the surface does not hide it. Parts of the surface at most
+        ``pixels`` in front of the position do not count."""
         origin, direction = view.ray(view.project([position])[0])
         found, place, _, _ = self._shown().ray_cast(origin.tolist(), direction.tolist())
         if not found:

@@ -75,8 +75,8 @@ def bent(line, at, to):
 
 
 def place_on(line, along, segment):
-    """The index of the point of the drawn line before which a new point belongs that lies on ``segment`` of
-    the result. The same as leg_at() of talweg::editing in C++.
+    """The index at which a new point is inserted into the drawn line. The new point was picked on ``segment``
+    of the result. The same as leg_at() of talweg::editing in C++.
 
     :param along: (k, 3), the points of the result.
     """

@@ -31,7 +31,7 @@ def _view_of(context, region, space, obj):
 
 
 class TALWEG_OT_draw(bpy.types.Operator):
-    """Draw on the active mesh; the smoothed curve is seen meanwhile. Of a curve object: edit it"""
+    """Draw on the active mesh and see the smoothed curve at once; if a curve object is active, edit its drawing"""
 
     bl_idname = "talweg.draw"
     bl_label = "Draw Curve on Surface"
@@ -67,8 +67,8 @@ class TALWEG_OT_draw(bpy.types.Operator):
         return {"RUNNING_MODAL"}
 
     def _begins_beside(self, event):
-        """Takes the press that called the tool as the first of the drawing. Returns whether it missed the
-        mesh."""
+        """Uses the press that started the tool as the first press of the drawing. Returns whether the press
+        missed the mesh."""
         return event.type == "LEFTMOUSE" and event.value == "PRESS" \
             and not self._drawn.work.press(self._view(), self._at(event), event.shift)
 
@@ -239,7 +239,7 @@ class DrawTool(bpy.types.WorkSpaceTool):
     bl_context_mode = "OBJECT"
     bl_idname = "talweg.draw_tool"
     bl_label = "Talweg"
-    bl_description = "Draw on the surface of the active mesh; the curve becomes smooth meanwhile"
+    bl_description = "Draw on the surface of the active mesh; the curve is smoothed while you draw"
     bl_icon = str(_ICON)
     bl_keymap = (("talweg.draw", {"type": "LEFTMOUSE", "value": "PRESS"}, None),)
 

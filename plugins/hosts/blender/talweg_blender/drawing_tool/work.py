@@ -51,7 +51,7 @@ class Work:
         return next((among[k] for k in near if self.ground.sees(view, places[k])), None)
 
     def curve_at(self, view, mouse):
-        """The place of the result under the mouse as (line, index of the point before which it belongs,
+        """The place of the result under the mouse as (line, index at which a new point would be inserted,
         Point), or None."""
         best = None
         for along, number in zip(self.results, self.of_lines):

@@ -19,7 +19,7 @@ export class CutWork {
     store.set({ cut, kept: null, leg: null });
     const parts = cut.parts === 1 ? 'The curves do not take the mesh apart.'
       : `The mesh is cut into ${countText(cut.parts)} parts.`;
-    const listed = store.now.mesh?.info.repaired?.changes ?? [];  // they stand beside the mesh already
+    const listed = store.now.mesh?.info.repaired?.changes ?? [];  // the panel already lists them beside the mesh
     this.desk.tell([parts, ...cut.notes.filter((note) => !listed.includes(note))].join(' '));
   }
 

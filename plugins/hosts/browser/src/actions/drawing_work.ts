@@ -35,7 +35,7 @@ export class DrawingWork {
     return true;
   }
 
-  /** Edits between this and release() are one step. */
+  /** Edits between grip() and release() are one step of undo. */
   grip(): void {
     this.desk.editor.beginGesture();
   }

@@ -29,7 +29,7 @@ export class OffsetWork {
     return true;
   }
 
-  /** What is set between this and release() is one step. */
+  /** Settings between grip() and release() are one step of undo. */
   grip(): void {
     this.desk.editor.beginGesture(offsetStep);
   }

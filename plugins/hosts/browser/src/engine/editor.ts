@@ -80,9 +80,9 @@ export class Editor {
   restore(state: string): void { this.call('restore', JSON.parse(state)); }
 
   /**
-   * The index of the given point before which a new point belongs, which was picked on a line
-   * through the given points, between the line's points `segment` and `segment + 1`. Three numbers
-   * per point.
+   * The index at which a new point is inserted into the given points. The new point was picked on a
+   * line through the given points, between the line's points `segment` and `segment + 1`. Arrays
+   * have three numbers per point.
    */
   legAt(given: Float64Array, line: Float64Array, closed: boolean, segment: number): number {
     return this.call('legAt', Array.from(given), Array.from(line), closed, segment);

@@ -120,7 +120,7 @@ export interface Repaired {
   changes: string[];
 }
 
-/** What ridges did to a drawing. */
+/** The effect of ridges on a drawing. */
 export interface RidgeReport {
   /** The part of its length that was moved onto ridges, 0 to 1, and by how much. */
   moved: number;
@@ -129,7 +129,7 @@ export interface RidgeReport {
   already: number;
   clicks: number;
   farthestClick: number;
-  /** How far from the drawing ridges were looked for. */
+  /** The largest distance from the drawing at which ridges were searched, mesh units. */
   band: number;
 }
 

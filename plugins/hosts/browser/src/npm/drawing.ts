@@ -12,7 +12,7 @@ export interface Place {
   pinned?: boolean;
 }
 
-/** A curve as it is drawn: through its places, and back to the first where it is closed. */
+/** A curve as it is drawn: through its places, and back to the first place if it is closed. */
 export interface Drawn {
   points: Place[];
   /** The last place is joined to the first, which is not repeated. */
@@ -54,7 +54,7 @@ function settingsOf(options: Options | null): Settings {
   for (const [name, value] of Object.entries(options)) {
     const [words, holds] = allowed[name as keyof Settings] ?? [];
     if (!holds) {
-      throw new TalwegError(`There is no option ${name}: there are ${Object.keys(allowed).join(', ')}.`, 'usage');
+      throw new TalwegError(`There is no option ${name}: the options are ${Object.keys(allowed).join(', ')}.`, 'usage');
     }
     if (value !== undefined && !holds(value)) {
       throw new TalwegError(`The option ${name} is ${String(value)}: give ${words}.`, 'usage');
@@ -64,7 +64,7 @@ function settingsOf(options: Options | null): Settings {
   return { ...defaults, ...Object.fromEntries(given) };
 }
 
-/** Rounding, also in single precision, may leave a place as far outside of its triangle. */
+/** Coordinates rounded to single precision may be this far outside of their triangle. */
 const rounding = 1e-3;
 
 function pointOf(place: Place, where: string, faces: number, exact: number): Point {

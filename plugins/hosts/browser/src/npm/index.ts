@@ -22,8 +22,8 @@ function keep(module: Module): void { idle ??= module; }
 
 /**
  * Opens a mesh of `positions`, three numbers for each vertex, and `indices`, three vertices from 0 for each
- * triangle, counterclockwise seen from outside. Both are copied. `repair` mends a mesh on which curves cannot
- * be drawn as it is; faces keep their indices. Throws TalwegError for arrays that are no mesh, and for a mesh
+ * triangle, counterclockwise seen from outside. Both are copied. `repair` repairs a mesh on which curves cannot
+ * be drawn otherwise; faces keep their indices. Throws TalwegError for arrays that are no mesh, and for a mesh
  * with defects.
  */
 export async function openMesh(

@@ -66,7 +66,7 @@ export class FilesPanel {
       if (!event.dataTransfer?.types.includes('Files')) return;
       event.preventDefault();
       const dropped = droppedFiles(event.dataTransfer);
-      void this.desk.wait('mesh', 'Reading what was dropped', dropped).then((all) => all && this.take(all));
+      void this.desk.wait('mesh', 'Reading the dropped files', dropped).then((all) => all && this.take(all));
     });
   }
 

@@ -56,8 +56,8 @@ const mouse = {
   close: 'Click to close the curve.',
   finish: 'Click to finish the curve.',
   second: 'Click the next point, or paint on.',
-  third: 'Click on, or paint. Finish with Enter.',
-  more: 'Click on, or paint. Finish with Enter, close by clicking the first point.',
+  third: 'Click more points, or paint. Finish with Enter.',
+  more: 'Click more points, or paint. Finish with Enter, close by clicking the first point.',
 };
 const fingers: typeof mouse = {
   keep: 'Tap the part that you want to keep.',
@@ -68,8 +68,8 @@ const fingers: typeof mouse = {
   close: 'Tap to close the curve.',
   finish: 'Tap to finish the curve.',
   second: 'Tap the next point, or draw on.',
-  third: 'Tap on, or draw. Then finish.',
-  more: 'Tap on, or draw. Then finish, or tap the first point to close.',
+  third: 'Tap more points, or draw. Then finish.',
+  more: 'Tap more points, or draw. Then finish, or tap the first point to close.',
 };
 const coarse = matchMedia('(pointer: coarse)');
 

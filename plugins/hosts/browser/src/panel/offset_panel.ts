@@ -40,7 +40,7 @@ export class OffsetPanel {
     this.set({ on, distance: distance > 0 ? distance : Number((5 * this.edge()).toPrecision(2)) });
   }
 
-  /** What was refused is shown as it is. */
+  /** A refused value is replaced by the present one. */
   private set(parts: Partial<OffsetSettings>): void {
     if (!this.work.set(parts)) this.update(this.store.now);
   }

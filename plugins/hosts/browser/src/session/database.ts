@@ -14,7 +14,7 @@ export function drop(): Promise<void> {
   return new Promise((resolve, reject) => {
     const request = indexedDB.deleteDatabase(name);
     request.onsuccess = () => resolve();
-    request.onerror = () => reject(new Error('What is kept on this device could not be removed.'));
+    request.onerror = () => reject(new Error('The session stored on this device could not be removed.'));
   });
 }
 
@@ -22,7 +22,7 @@ function inDatabase(mode: IDBTransactionMode, act: (values: IDBObjectStore) => {
   return new Promise<unknown>((resolve, reject) => {
     const opening = indexedDB.open(name, 1);
     opening.onupgradeneeded = () => opening.result.createObjectStore('values');
-    opening.onerror = () => reject(new Error('This browser keeps nothing on this device.'));
+    opening.onerror = () => reject(new Error('This browser cannot store data on this device.'));
     opening.onsuccess = () => {
       const transaction = opening.result.transaction('values', mode);
       const request = act(transaction.objectStore('values'));

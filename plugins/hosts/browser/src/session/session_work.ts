@@ -45,7 +45,7 @@ export class SessionWork {
   /** Restores the stored session; returns whether there was one. */
   async bringBack(): Promise<boolean> {
     await this.follow();
-    const all = await this.desk.wait('session', 'Looking for what was put aside', keptAsides());
+    const all = await this.desk.wait('session', 'Looking for drawings that were put aside', keptAsides());
     const session = await this.desk.wait('session', 'Bringing back the session', kept());
     // A page that was left while another mesh was being opened has stored the same drawing twice.
     this.asides.add((all ?? []).filter(({ drawing }) => drawing !== session?.drawing));

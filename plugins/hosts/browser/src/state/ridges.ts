@@ -1,4 +1,4 @@
-// What ridges did to a drawing, in words.
+// The effect of ridges on a drawing, in words.
 import type { RidgeReport } from '../engine/types';
 import { lengthText } from './numbers';
 import { nameOf, type State } from './state';
@@ -21,7 +21,7 @@ export function ridgeText({ moved, farthest, already, clicks, farthestClick, ban
   ].join('; ');
 }
 
-/** Of all curves; empty where ridges are not to attract any. */
+/** The sentences for all curves; empty if ridges attract no curve. */
 export function ridgesTold(state: State): string {
   const { smoothed, drawing } = state, { curves } = drawing;
   if (drawing.settings.ridges === 0) return '';

@@ -73,9 +73,9 @@ export interface State {
   drawing: Drawing;
   undo: string | null;
   redo: string | null;
-  /** The drawn curves on the mesh. */
   /** The text of `talweg info` about the mesh; null until requested. */
   words: string | null;
+  /** The drawn curves on the mesh. */
   drawn: Line[];
   smoothed: Smoothed | null;
   /** The next leg, from the last point to the mouse; three numbers per point. */

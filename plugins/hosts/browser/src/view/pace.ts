@@ -2,8 +2,8 @@
 
 /** Milliseconds; slower frames lag behind the mouse. */
 const patience = 50;
-/** Milliseconds without movement after which the view rests. If the whole mesh takes longer, its
-   drawing time, up to the second value. */
+/** Milliseconds without movement after which the view rests: `rest`, or the drawing time of the whole
+   mesh if that is longer, but at most `longestRest`. */
 const rest = 180, longestRest = 2000;
 
 export class Pace {

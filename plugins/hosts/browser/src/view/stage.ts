@@ -26,7 +26,7 @@ export class Stage {
   /** Throws Error if the browser has no WebGL 2. */
   constructor(private readonly box: HTMLElement, canvas: HTMLCanvasElement) {
     if (!hasWebGL2()) {
-      throw new Error('this browser has no WebGL 2, or has it off, and draws no meshes. Turn on "hardware '
+      throw new Error('this browser has no WebGL 2, or has it switched off, so meshes cannot be drawn. Turn on "hardware '
         + 'acceleration" in its settings, or take another browser.');
     }
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });

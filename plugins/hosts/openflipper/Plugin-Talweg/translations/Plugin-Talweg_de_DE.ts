@@ -229,7 +229,7 @@
         <translation>;0 (gar nicht) bis 1</translation>
     </message>
     <message>
-        <source>What attracts the drawing.</source>
+        <source>The kind of ridges that attract the drawing.</source>
         <translation>Was die Zeichnung anzieht.</translation>
     </message>
     <message>
@@ -261,7 +261,7 @@
         <translation>Fügt eine Kurve durch Ecken hinzu, gerade über die Dreiecke.</translation>
     </message>
     <message>
-        <source>;vertices from 0;whether it comes back</source>
+        <source>;vertices from 0;whether the curve is closed</source>
         <translation>;Ecken ab 0;ob sie zurückkehrt</translation>
     </message>
     <message>
@@ -269,7 +269,7 @@
         <translation>Fügt der Kurve, die gezeichnet wird, einen Punkt hinzu.</translation>
     </message>
     <message>
-        <source>;face from 0;its coordinates there</source>
+        <source>;face from 0;barycentric coordinates in the face</source>
         <translation>;Dreieck ab 0;Koordinaten darin</translation>
     </message>
     <message>
@@ -321,11 +321,11 @@
         <translation>Verschiebt einen gezeichneten Punkt.</translation>
     </message>
     <message>
-        <source>face from 0;its coordinates there</source>
+        <source>face from 0;barycentric coordinates in the face</source>
         <translation>Dreieck ab 0;Koordinaten darin</translation>
     </message>
     <message>
-        <source>Pins a drawn point, or lets it go.</source>
+        <source>Pins a drawn point, or unpins it.</source>
         <translation>Hält einen gezeichneten Punkt fest oder löst ihn.</translation>
     </message>
     <message>
@@ -337,11 +337,11 @@
         <translation>Schließt oder öffnet eine Kurve.</translation>
     </message>
     <message>
-        <source>;from 0;whether it comes back</source>
+        <source>;from 0;whether the curve is closed</source>
         <translation>;ab 0;ob sie zurückkehrt</translation>
     </message>
     <message>
-        <source>0: straight lines; more keeps closer to the drawing.</source>
+        <source>0: straight lines; higher values keep closer to the drawing.</source>
         <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung.</translation>
     </message>
     <message>
@@ -365,15 +365,15 @@
         <translation>;Einheiten des Netzes, 0: keine Grenze</translation>
     </message>
     <message>
-        <source>What becomes of the ends of curves that are not closed.</source>
+        <source>The treatment of the ends of curves that are not closed.</source>
         <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
     </message>
     <message>
-        <source>;auto: painted strokes that come back are loops, closed: all are, open</source>
+        <source>;auto: painted strokes that return to their start are loops, closed: all curves are loops, open: none</source>
         <translation>;auto: gemalte Striche, die zurückkommen, sind geschlossen, closed: alle, open</translation>
     </message>
     <message>
-        <source>Clicks that follow each other within this distance are one.</source>
+        <source>Successive clicks within this distance are merged.</source>
         <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer.</translation>
     </message>
     <message>
@@ -385,11 +385,11 @@
         <translation>Nimmt die letzte Änderung zurück.</translation>
     </message>
     <message>
-        <source>Does it again.</source>
+        <source>Repeats the edit that was taken back.</source>
         <translation>Macht sie wieder.</translation>
     </message>
     <message>
-        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh stays.</source>
+        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh itself is unchanged.</source>
         <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
     </message>
     <message>
@@ -445,7 +445,7 @@
         <translation>Schneidet und wählt die Dreiecke in den geschlossenen Kurven aus.</translation>
     </message>
     <message>
-        <source>Makes a mesh of each part that the smoothed curves leave.</source>
+        <source>Makes a mesh of each part between the smoothed curves.</source>
         <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
     </message>
     <message>
@@ -457,7 +457,7 @@
         <translation>Beginnt oder beendet das Zeichnen mit der Maus.</translation>
     </message>
     <message>
-        <source>whether</source>
+        <source>whether the mouse draws</source>
         <translation>ob</translation>
     </message>
     <message>
@@ -469,7 +469,7 @@
         <translation>;leer: keiner</translation>
     </message>
     <message>
-        <source>Pins all points of a curve, or lets all go.</source>
+        <source>Pins or unpins all points of a curve.</source>
         <translation>Hält alle Punkte einer Kurve fest oder gibt sie frei.</translation>
     </message>
     <message>
@@ -477,7 +477,7 @@
         <translation>;ob das Ergebnis durch sie verläuft</translation>
     </message>
     <message>
-        <source>Draws on at the end of a curve, which is the last then.</source>
+        <source>Continues a curve at its end; the curve becomes the last one.</source>
         <translation>Zeichnet am Ende einer Kurve weiter, die dann die letzte ist.</translation>
     </message>
     <message>
@@ -501,7 +501,7 @@
         <translation>Fügt einen Punkt in eine Kurve ein.</translation>
     </message>
     <message>
-        <source>;the point before which it comes, from 0;face from 0;its coordinates there</source>
+        <source>;the index of the new point, from 0;face from 0;barycentric coordinates in the face</source>
         <translation>;der Punkt, vor den er kommt, ab 0;Dreieck ab 0;seine Koordinaten darin</translation>
     </message>
     <message>
@@ -525,7 +525,7 @@
         <translation>Zeigt Krümmungskämme entlang der Kurven.</translation>
     </message>
     <message>
-        <source>;whether</source>
+        <source>;whether the combs are shown</source>
         <translation>;ob</translation>
     </message>
     <message>
@@ -608,8 +608,8 @@
         <translation>Der geglätteten Kurve, in Netzeinheiten.</translation>
     </message>
     <message>
-        <source>The largest from what was drawn, in mesh units.</source>
-        <translation>Die größte vom Gezeichneten, in Netzeinheiten.</translation>
+        <source>The largest distance between result and drawing, in either direction, in mesh units.</source>
+        <translation>Der größte Abstand zwischen Ergebnis und Zeichnung, in beiden Richtungen, in Netzeinheiten.</translation>
     </message>
     <message>
         <source>The sum of all turns of the smoothed curve.</source>
@@ -659,7 +659,7 @@
         <translation>Fest</translation>
     </message>
     <message>
-        <source>Pins all points of the selected curve, or lets all go.</source>
+        <source>Pins or unpins all points of the selected curve.</source>
         <translation>Hält alle Punkte der ausgewählten Kurve fest oder gibt sie frei.</translation>
     </message>
     <message>
@@ -675,7 +675,7 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>Draws on at the end of the selected curve.</source>
+        <source>Continues the selected curve at its end.</source>
         <translation>Zeichnet am Ende der ausgewählten Kurve weiter.</translation>
     </message>
     <message>
@@ -884,7 +884,7 @@
         <translation>Reparieren</translation>
     </message>
     <message>
-        <source>Draws on the mesh as if it was repaired; the mesh itself stays.</source>
+        <source>Draws on the mesh as if it was repaired; the mesh itself is unchanged.</source>
         <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt.</translation>
     </message>
     <message>
@@ -940,7 +940,7 @@
         <translation>Aus</translation>
     </message>
     <message>
-        <source>Curves from what is there already.</source>
+        <source>Curves from a selection, from face colours or from polylines.</source>
         <translation>Kurven aus dem, was schon da ist.</translation>
     </message>
     <message>
@@ -968,7 +968,7 @@
         <translation>Tau</translation>
     </message>
     <message>
-        <source>0: straight lines; more keeps closer to the drawing, and is tighter between clicks.</source>
+        <source>0: straight lines; higher values keep closer to the drawing, and are tighter between clicks.</source>
         <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung und ist zwischen Klicks straffer.</translation>
     </message>
     <message>
@@ -976,7 +976,7 @@
         <translation>Spielraum</translation>
     </message>
     <message>
-        <source>How exact the drawing is, in mesh units. Unticked it is as wide as the hand trembled.</source>
+        <source>How exact the drawing is, in mesh units. Unticked: the width of the hand's tremor.</source>
         <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken so breit, wie die Hand gezittert hat.</translation>
     </message>
     <message>
@@ -988,7 +988,7 @@
         <translation>Innerhalb</translation>
     </message>
     <message>
-        <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: how far it is now.</source>
+        <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: the present distance.</source>
         <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: wie weit sie jetzt ist.</translation>
     </message>
     <message>
@@ -996,7 +996,7 @@
         <translation>Ein Klick</translation>
     </message>
     <message>
-        <source>Clicks that follow each other within this distance are one, in mesh units. Unticked: an edge of the mesh.</source>
+        <source>Successive clicks within this distance are merged, in mesh units. Unticked: an edge of the mesh.</source>
         <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
     </message>
     <message>
@@ -1024,7 +1024,7 @@
         <translation>Täler</translation>
     </message>
     <message>
-        <source>What attracts the drawing.</source>
+        <source>The kind of ridges that attract the drawing.</source>
         <translation>Was die Zeichnung anzieht.</translation>
     </message>
     <message>
@@ -1040,7 +1040,7 @@
         <translation>Offene Kurven bleiben offen</translation>
     </message>
     <message>
-        <source>What becomes of the ends of curves that are not closed.</source>
+        <source>The treatment of the ends of curves that are not closed.</source>
         <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
     </message>
     <message>
@@ -1064,7 +1064,7 @@
         <translation>Teilen</translation>
     </message>
     <message>
-        <source>Makes a mesh of each part that the smoothed curves leave.</source>
+        <source>Makes a mesh of each part between the smoothed curves.</source>
         <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
     </message>
     <message>
@@ -1096,7 +1096,7 @@
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stops what is being computed.</source>
+        <source>Stops the computation.</source>
         <translation>Hält an, was gerechnet wird.</translation>
     </message>
     <message>
@@ -1108,11 +1108,11 @@
         <translation>Nimmt die letzte Änderung zurück (Strg+Z): %1</translation>
     </message>
     <message>
-        <source>Does it again (Ctrl+Y): %1</source>
+        <source>Repeats the edit that was taken back (Ctrl+Y): %1</source>
         <translation>Macht sie wieder (Strg+Y): %1</translation>
     </message>
     <message>
-        <source>Between clicked points the curve is free; this is for painted ones.</source>
+        <source>The curve is free between clicked points; this value is for painted strokes.</source>
         <translation>Zwischen geklickten Punkten ist die Kurve frei; dies ist für gemalte.</translation>
     </message>
     <message>
