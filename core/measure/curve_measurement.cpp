@@ -29,7 +29,7 @@ MeasuredCurve measured_one(const SurfaceMesh& mesh, const SurfaceCurve& curve,
   measured.points = curve.points.size();
   measured.closed = curve.closed;
   measured.edge = edge ? *edge : edge_length_near(mesh.surface(), curve);
-  measured.measures = measure_curve(mesh.surface(), curve, measured.edge);
+  measured.measures = measure_curve(mesh, curve, measured.edge);
   measured.max_at = mesh.position(curve.points[measured.measures.max_at]);
   count_contacts(mesh, std::span(&curve, 1), measured);
   return measured;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talweg/core/measure/turning_windows.hpp"
+#include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/surface/triangle.hpp"
 
@@ -173,6 +174,14 @@ CurveMeasures measure(const Surface& surface, const SurfaceCurve& curve, CurveTu
   return measures;
 }
 
+/// See CurveMeasures::tortuosity.
+double tortuosity(const SurfaceMesh& mesh, const SurfaceCurve& curve, double length) {
+  if (curve.closed || curve.points.size() < 2) return HUGE_VAL;
+  const double apart =
+      (mesh.position(curve.points.back()) - mesh.position(curve.points.front())).norm();
+  return apart > 0 ? length / apart : HUGE_VAL;
+}
+
 }  // namespace
 
 PointTurn turn_of(const Surface& surface, const SurfacePoint& before, const SurfacePoint& at,
@@ -215,6 +224,12 @@ CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve, d
   measures.bending = bending(turns, edge);
   measures.window_turning = window_turning(turns, edge);
   measures.window_turning_2 = window_turning(turns, 2 * edge);
+  return measures;
+}
+
+CurveMeasures measure_curve(const SurfaceMesh& mesh, const SurfaceCurve& curve, double edge) {
+  CurveMeasures measures = measure_curve(mesh.surface(), curve, edge);
+  measures.tortuosity = tortuosity(mesh, curve, measures.length);
   return measures;
 }
 

@@ -1,6 +1,8 @@
-// The measures of a curve on a surface are its length, its geodesic curvature and its bending.
+// The measures of a curve on a surface are its length, its geodesic curvature, its bending, and its
+// tortuosity in space.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "talweg/core/measure/turning_windows.hpp"
@@ -9,8 +11,11 @@
 
 namespace talweg {
 
-/// Length and discrete geodesic curvature of a piecewise straight curve, from edge lengths only.
-/// The last three depend on an edge length h (turning_windows.hpp).
+class SurfaceMesh;
+
+/// Length and discrete geodesic curvature of a piecewise straight curve, from edge lengths only,
+/// and the tortuosity from positions. Bending and the window turnings depend on an edge length h
+/// (turning_windows.hpp).
 struct CurveMeasures {
   double length = 0;            ///< mesh units
   double total_curvature = 0;   ///< radians: sum of the turning angles
@@ -20,6 +25,10 @@ struct CurveMeasures {
   double bending = 0;           ///< no unit: h times the integral of the squared curvature
   double window_turning = 0;    ///< radians: the largest net turning in a window of length h
   double window_turning_2 = 0;  ///< radians: the same for windows of length 2 h
+  /// No unit, at least 1 up to rounding: the length divided by the straight distance in space
+  /// between the ends. Infinite for loops, for open curves whose ends coincide, and if positions
+  /// are not known.
+  double tortuosity = HUGE_VAL;
 };
 
 /// The turning angle at a point of a curve, in [0, pi] radians: pi minus the smaller of the two
@@ -61,11 +70,15 @@ double curve_length(const Surface& surface, const SurfaceCurve& curve);
 CurveTurns turns_of(const Surface& surface, const SurfaceCurve& curve);
 
 /// Length and turning angles of a curve. The ends of an open curve have no turn. `bending` and the
-/// window turnings stay 0. O(points · degree). Throws Error(kBadCurve) as curve_length() does.
+/// window turnings stay 0, the tortuosity is infinite. O(points · degree). Throws Error(kBadCurve)
+/// as curve_length() does.
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve);
 
-/// All measures of a curve. `edge` (mesh units, > 0) is h; for a drawing and its result use
+/// All measures but the tortuosity. `edge` (mesh units, > 0) is h; for a drawing and its result use
 /// edge_length_near() of the drawing for both.
 CurveMeasures measure_curve(const Surface& surface, const SurfaceCurve& curve, double edge);
+
+/// All measures of a curve.
+CurveMeasures measure_curve(const SurfaceMesh& mesh, const SurfaceCurve& curve, double edge);
 
 }  // namespace talweg

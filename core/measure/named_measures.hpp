@@ -25,6 +25,7 @@ inline constexpr std::array kNamedMeasures = {
     NamedMeasure{"bending", &CurveMeasures::bending, TotalOf::kSum},
     NamedMeasure{"window_turning", &CurveMeasures::window_turning, TotalOf::kLargest},
     NamedMeasure{"window_turning_2", &CurveMeasures::window_turning_2, TotalOf::kLargest},
+    NamedMeasure{"tortuosity", &CurveMeasures::tortuosity, TotalOf::kLargest},
 };
 
 /// Adds the measures of a curve to the totals. `max_at` has no meaning in totals and stays.

@@ -78,13 +78,12 @@ SmoothingReport report_between(const SurfaceMesh& mesh, const SurfaceCurve& draw
 
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const CurveMeasures& before, const SurfaceCurve& result) {
-  return report_between(mesh, drawn, edge, before, result,
-                        measure_curve(mesh.surface(), result, edge));
+  return report_between(mesh, drawn, edge, before, result, measure_curve(mesh, result, edge));
 }
 
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const SurfaceCurve& result) {
-  return report_on_curve(mesh, drawn, edge, measure_curve(mesh.surface(), drawn, edge), result);
+  return report_on_curve(mesh, drawn, edge, measure_curve(mesh, drawn, edge), result);
 }
 
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,

@@ -72,7 +72,7 @@ class CurveCleaning {
     result.farthest = sum_.farthest;
     result.left_out = curve_.points.size() - kept_;
     result.measures =
-        measure_curve(mesh_->surface(), curve_, edge_length_near(mesh_->surface(), result.curve));
+        measure_curve(*mesh_, curve_, edge_length_near(mesh_->surface(), result.curve));
     if (sum_.rests + sum_.hooks > 0) result.notes.push_back(note_on(sum_));
     return result;
   }

@@ -54,7 +54,7 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
     next();
     edges_near_.push_back(edge_length_near(surface, curve));
     next();
-    measures_.push_back(of_drawn(places_[c], measure_curve(surface, curve, edges_near_.back())));
+    measures_.push_back(of_drawn(places_[c], measure_curve(mesh, curve, edges_near_.back())));
     if (!(measures_.back().length > 0)) refuse_point(mesh, curve, c);
   }
 }

@@ -72,9 +72,10 @@ double far_from(double slack, double edge, Engine engine) {
   return engine == Engine::kRefined ? kFarInSlacks * slack : kFarInEdges * edge;
 }
 
-/// The measures on the smooth ground, with the length on the mesh.
+/// The measures on the smooth ground, with the length on the mesh and the tortuosity in space.
 CurveMeasures turns_as_on(const CurveMeasures& on_mesh, CurveMeasures on_ground) {
   on_ground.length = on_mesh.length;
+  on_ground.tortuosity = on_mesh.tortuosity;
   return on_ground;
 }
 

@@ -1,5 +1,6 @@
 #include "measure_text.hpp"
 
+#include <cmath>
 #include <iterator>
 #include <numbers>
 
@@ -17,19 +18,20 @@ std::string row(const std::string& name, const MeasuredCurve& c) {
   std::string contacts = std::to_string(c.contacts.size());
   if (c.stretches > 0) contacts += fmt::format(" ({} stretches)", c.stretches);
   return fmt::format(
-      "{:<8}{:>8}{:>8}{:>14.6g}{:>12.6g}{:>12.6g}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}  "
+      "{:<8}{:>8}{:>8}{:>14.6g}{:>12.6g}{:>12.6g}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}{:>12}  "
       "{:<16}{}\n",
       name, c.points, c.closed ? "yes" : "no", m.length, m.total_curvature, m.signed_curvature,
       m.bending, degrees(m.window_turning), degrees(m.window_turning_2), degrees(m.max_curvature),
-      contacts, m.max_curvature > 0 ? position_text(c.max_at, c.edge) : "");
+      std::isfinite(m.tortuosity) ? fmt::format("{:.6g}", m.tortuosity) : "-", contacts,
+      m.max_curvature > 0 ? position_text(c.max_at, c.edge) : "");
 }
 
 std::string block(const std::string& file, const MeasuredCurves& curves) {
   std::string text = fmt::format(
-      "{}\n{:<8}{:>8}{:>8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}  "
+      "{}\n{:<8}{:>8}{:>8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}{:>12}  "
       "{:<16}{}\n",
       file, "curve", "points", "closed", "length", "curvature", "signed", "bending", "in 1 h",
-      "in 2 h", "max turn", "self-contacts", "max turn at");
+      "in 2 h", "max turn", "tortuosity", "self-contacts", "max turn at");
   for (std::size_t i = 0; i < curves.each.size(); ++i) {
     text += row(std::to_string(i), curves.each[i]);
   }
@@ -63,7 +65,8 @@ std::string measure_table(const CurveMeasurement& m, const std::string& name,
   }
   text +=
       "Lengths in mesh units, curvatures in radians, turns (in windows of one and two mean edges "
-      "near the curve, and at one point) in degrees.\n";
+      "near the curve, and at one point) in degrees; tortuosity: length over the distance of the "
+      "ends.\n";
   for (const std::string& warning : m.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

@@ -55,6 +55,9 @@ std::string table_of(const SmoothingReport& r) {
   line("turn in two edges", degrees(r.before.window_turning_2), degrees(r.after.window_turning_2),
        "degrees");
   line("largest turn", degrees(r.before.max_curvature), degrees(r.after.max_curvature), "degrees");
+  if (std::isfinite(r.before.tortuosity) && std::isfinite(r.after.tortuosity)) {
+    line("tortuosity", number(r.before.tortuosity), number(r.after.tortuosity), "");
+  }
   const bool through_space = r.deviation == DeviationMeasure::kEuclidean;
   fmt::format_to(std::back_inserter(out), "{:<22}{:>14}{:>14}{}\n",
                  r.deviation_exact ? "deviation" : "deviation at most", "max", "mean",

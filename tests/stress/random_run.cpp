@@ -124,6 +124,7 @@ void check_report(const SmoothingReport& report, RunOutcome& outcome) {
     if (number == nullptr) continue;
     const bool may_be_infinite = entry.key.starts_with("deviation") ||
                                  entry.key.starts_with("farthest") || entry.key == "moved" ||
+                                 entry.key.starts_with("tortuosity") ||
                                  entry.key == "max_deviation" || entry.key == "roughness_near";
     if (std::isnan(*number) || (std::isinf(*number) && !may_be_infinite)) {
       outcome.broken = fmt::format("{} is {}", entry.key, *number);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <initializer_list>
 #include <numbers>
 #include <string>
 
@@ -146,6 +148,22 @@ TEST(Measures, ClosedCurvesTurnByTwoPiInThePlane) {
   EXPECT_NEAR(open.length, 7, 1e-14);
   EXPECT_NEAR(curve_length(surface, vertex_curve(surface, path, false)), 7, 1e-14);
   EXPECT_NEAR(open.total_curvature, 1.5 * kHalfTurn, 1e-13);
+}
+
+TEST(Measures, TortuosityIsLengthOverTheDistanceOfTheEnds) {
+  const SurfaceMesh mesh = SurfaceMesh::open(grid(4, 4));
+  const Surface& surface = mesh.surface();
+  const auto tortuosity = [&](std::initializer_list<std::uint32_t> path, bool closed) {
+    return measure_curve(mesh, vertex_curve(surface, ids(path), closed), 1).tortuosity;
+  };
+  EXPECT_NEAR(tortuosity({5, 6, 7, 8}, false), 1, 1e-14);
+  EXPECT_NEAR(tortuosity({5, 6, 7, 12}, false), 3 / std::sqrt(5.0), 1e-14);
+  EXPECT_NEAR(tortuosity({6, 7, 8, 13, 18, 17, 16, 11}, false), 7, 1e-14);  // one short of a loop
+  EXPECT_EQ(tortuosity({6, 7, 8, 13, 18, 17, 16, 11}, true), HUGE_VAL);
+  EXPECT_EQ(tortuosity({6, 7, 12, 11, 6}, false), HUGE_VAL);
+  EXPECT_EQ(tortuosity({6}, false), HUGE_VAL);
+  const SurfaceCurve line = vertex_curve(surface, ids({5, 6}), false);
+  EXPECT_EQ(measure_curve(surface, line, 1).tortuosity, HUGE_VAL);
 }
 
 TEST(Measures, UnfoldsAcrossABentEdge) {

@@ -91,6 +91,8 @@ TEST(Report, HasEachNumberUnderItsStableName) {
   EXPECT_EQ(j["window_turning_after"], r.after.window_turning);
   EXPECT_EQ(j["window_turning_2_before"], r.before.window_turning_2);
   EXPECT_EQ(j["window_turning_2_after"], r.after.window_turning_2);
+  EXPECT_EQ(j["tortuosity_before"], r.before.tortuosity);
+  EXPECT_EQ(j["tortuosity_after"], r.after.tortuosity);
   EXPECT_EQ(j["deviation"], "surface");
   EXPECT_EQ(j["deviation_to_drawn_max"], r.deviation_to_drawn_max);
   EXPECT_EQ(j["deviation_to_drawn_mean"], r.deviation_to_drawn_mean);
@@ -252,6 +254,7 @@ TEST(Report, TotalsAreSumsMaximaAndMeansByLength) {
   EXPECT_EQ(total.before.bending, a.before.bending + b.before.bending);
   EXPECT_EQ(total.after.window_turning, b.after.window_turning);
   EXPECT_EQ(total.before.window_turning_2, b.before.window_turning_2);
+  EXPECT_EQ(total.before.tortuosity, b.before.tortuosity);
   EXPECT_EQ(total.deviation_from_drawn_max, b.deviation_from_drawn_max);
   EXPECT_EQ(total.deviation_to_drawn_mean, 2);
   EXPECT_EQ(total.deviation_at, b.deviation_at);

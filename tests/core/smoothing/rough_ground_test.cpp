@@ -111,6 +111,12 @@ TEST(RoughGround, TautCurvesAreGeodesicsOfTheMeshAsItIs) {
   // And back: the fair result does not depend on earlier calls.
   const SmoothingResult fair = smoother.smooth(1), again = smooth_curve(opened, drawn);
   EXPECT_EQ(fair.curves[0].points, again.curves[0].points);
+  // Turns are those of the ground, but ends and length those of the mesh.
+  const auto tortuosity = [&](const SurfaceCurve& c) {
+    return measure_curve(opened->mesh(), c, 1).tortuosity;
+  };
+  EXPECT_NEAR(fair.reports[0].before.tortuosity, tortuosity(drawn), 1e-12);
+  EXPECT_NEAR(fair.reports[0].after.tortuosity, tortuosity(fair.curves[0]), 1e-12);
 }
 
 TEST(RoughGround, PinsHoldAndADraggedStrokeIsSmoothedAnew) {

@@ -64,6 +64,11 @@ class Turns(unittest.TestCase):
                                    delta=1e-9 * report.bending_after)
             self.assertAlmostEqual(bending(before, edge), report.bending_before,
                                    delta=1e-9 * report.bending_before)
+            ends = result.curve.positions[[0, -1]]
+            expected = np.inf if closed else report.length_after / np.linalg.norm(ends[1] - ends[0])
+            self.assertAlmostEqual(report.tortuosity_after, expected, places=12)
+            self.assertEqual(talweg.measure((vertices, faces), result.curve).total["tortuosity"],
+                             None if closed else report.tortuosity_after)
             inner = slice(None) if closed else slice(1, -1)
             free = result.curve.vertices[inner] < 0
             self.assertGreater(free.sum(), 50)

@@ -75,6 +75,7 @@ TEST_F(MeasureCommand, MeasuresACornerAndASquare) {
   EXPECT_NEAR(corner["bending"], 2 * kPi / 2 * kPi / 2, 1e-9);  // one kink alone
   EXPECT_NEAR(corner["window_turning"], kPi / 2, 1e-12);
   EXPECT_NEAR(corner["window_turning_2"], kPi / 2, 1e-12);
+  EXPECT_NEAR(corner["tortuosity"], 5 / std::sqrt(13.0), 1e-12);
   EXPECT_EQ(corner["self_contacts"], 0);
   EXPECT_TRUE(corner["self_contacts_at"].empty());
   EXPECT_TRUE(corner["warnings"].empty());
@@ -87,6 +88,7 @@ TEST_F(MeasureCommand, MeasuresACornerAndASquare) {
   EXPECT_EQ(square["closed"], true);
   EXPECT_EQ(square["points"], 4);
   EXPECT_NEAR(square["length"], 4, 1e-12);
+  EXPECT_TRUE(square["tortuosity"].is_null());
   EXPECT_NEAR(square["curvature"], 2 * kPi, 1e-12);
   EXPECT_NEAR(square["curvature_signed"], -2 * kPi, 1e-12);
   // The edges near it have lengths of 1 and √2: one window holds two corners, two hold three.
@@ -201,6 +203,8 @@ TEST_F(MeasureCommand, AgreesWithTheReportOfSmooth) {
   };
   same_sum(r["length"], smooth["length_after"]);
   same_sum(r["curvature"], smooth["curvature_after"]);
+  same_sum(r["tortuosity"], smooth["tortuosity_after"]);
+  same_sum(r["other"]["tortuosity"], smooth["tortuosity_before"]);
   same_sum(r["other"]["curvature"], smooth["curvature_before"]);
   const double most = smooth["deviation_from_drawn_max"];
   EXPECT_NEAR(r["deviation_to_other_max"], smooth["deviation_to_drawn_max"], 2e-3 * most + 2e-3);

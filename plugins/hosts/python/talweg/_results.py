@@ -63,6 +63,8 @@ class Report:
     window_turning_after: Optional[float] = None
     window_turning_2_before: Optional[float] = None  #: largest net turning in two edge_length_near, radians
     window_turning_2_after: Optional[float] = None
+    tortuosity_before: Optional[float] = None  #: length / distance of the ends in space; infinite for loops
+    tortuosity_after: Optional[float] = None
     deviation: Optional[str] = None  #: the kind of the next distances: "surface", "euclidean", "none"
     deviation_to_drawn_max: Optional[float] = None
     deviation_to_drawn_mean: Optional[float] = None
