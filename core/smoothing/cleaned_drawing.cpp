@@ -11,6 +11,7 @@
 #include "talweg/core/lifting/leg_start.hpp"
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/mesh/border_points.hpp"
+#include "talweg/core/smoothing/smoothing_report.hpp"
 #include "talweg/core/strokes/stroke_cleaning.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -246,13 +247,16 @@ bool is_same(const CleanedDrawing& a, const CleanedDrawing& b) {
 }
 
 void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
-                     SmoothingReport& report) {
+                     const SurfaceMesh* ground, SmoothingReport& report) {
   report.warnings.insert(report.warnings.end(), curve.notes.begin(), curve.notes.end());
   if (curve.places.empty()) return;
   report.points_before = given.points.size();
   report.left_out = curve.left_out;
   report.left_out_max = curve.farthest;
   report.before = curve.measures;
+  if (ground != nullptr) {
+    report.before = turns_on_ground(*ground, given, report.edge_length_near, curve.measures);
+  }
 }
 
 namespace {

@@ -44,8 +44,9 @@ struct CleanedDrawing {
 bool is_same(const CleanedDrawing& a, const CleanedDrawing& b);
 
 /// Adds the cleaning of a curve to its report: warnings, points left out, and the measures of the
-/// given curve.
-void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given, SmoothingReport& report);
+/// given curve, whose turns are those on the smooth ground if there is one.
+void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
+                     const SurfaceMesh* ground, SmoothingReport& report);
 
 /// Estimates the slack of the strokes of each curve (stroke_slack.hpp) and removes rests, hooks and
 /// redundant points of strokes (stroke_cleaning.hpp). Way-points within click_distance of each

@@ -282,6 +282,7 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
                                               const GivenPotential* given,
                                               const Progress& progress) {
   DomainResult smoothed = domain_->smooth(options, given, progress);
+  const SurfaceMesh* ground = smoothed.ground;
   const Stopwatch watch;
   SmoothingResult result = reported(memory_->opened(), *drawing_, options, std::move(smoothed));
   CurveOptions cleaned = curve_options_;
@@ -289,7 +290,8 @@ SmoothingResult CurveSmoother::smooth_ordered(const SmoothingOptions& options,
   warn_of_missed_points(memory_->mesh(), memory_->meter(), drawing_->curves(), cleaned, result);
   for (std::size_t c = 0; c < result.reports.size(); ++c) {
     const std::size_t given_number = drawing_->numbers()[c];
-    report_cleaning(cleaned_->curves[given_number], given_[given_number], result.reports[c]);
+    report_cleaning(cleaned_->curves[given_number], given_[given_number], ground,
+                    result.reports[c]);
     result.reports[c].roughness_near = roughness_;
   }
   report_moves(options, result, progress);

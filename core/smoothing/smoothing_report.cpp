@@ -72,13 +72,6 @@ double far_from(double slack, double edge, Engine engine) {
   return engine == Engine::kRefined ? kFarInSlacks * slack : kFarInEdges * edge;
 }
 
-/// The measures on the smooth ground, with the length on the mesh and the tortuosity in space.
-CurveMeasures turns_as_on(const CurveMeasures& on_mesh, CurveMeasures on_ground) {
-  on_ground.length = on_mesh.length;
-  on_ground.tortuosity = on_mesh.tortuosity;
-  return on_ground;
-}
-
 void add_run(SmoothingReport& report, const DomainResult& smoothed) {
   report.potential = smoothed.potential;
   report.engine = smoothed.engine;
@@ -107,6 +100,14 @@ void add_curve(SmoothingReport& report, const CurveResult& curve) {
 
 }  // namespace
 
+CurveMeasures turns_on_ground(const SurfaceMesh& ground, const SurfaceCurve& curve, double edge,
+                              const CurveMeasures& on_mesh) {
+  CurveMeasures measures = measure_curve(ground.surface(), curve, edge);
+  measures.length = on_mesh.length;
+  measures.tortuosity = on_mesh.tortuosity;
+  return measures;
+}
+
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
                          const SmoothingOptions& options, DomainResult smoothed) {
   StageTimes& t = smoothed.time_ms;
@@ -119,11 +120,9 @@ SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,
     SmoothingReport& report = result.reports.emplace_back(
         report_on_curve(mesh.mesh(), drawn, edge, drawing.measures()[c], smoothed.curves[c].curve));
     if (smoothed.ground != nullptr) {
-      const Surface& ground = smoothed.ground->surface();
-      report.before =
-          drawing.of_drawn(c, turns_as_on(report.before, measure_curve(ground, drawn, edge)));
-      report.after =
-          turns_as_on(report.after, measure_curve(ground, smoothed.curves[c].curve, edge));
+      const SurfaceMesh& ground = *smoothed.ground;
+      report.before = drawing.of_drawn(c, turns_on_ground(ground, drawn, edge, report.before));
+      report.after = turns_on_ground(ground, smoothed.curves[c].curve, edge, report.after);
     }
     report.after = drawing.in_drawn_direction(c, report.after, report.points_after);
     report.tau = options.tau_of(c);

@@ -10,6 +10,11 @@
 
 namespace talweg {
 
+/// The measures of a curve on the smooth ground, but with its length on the mesh and its tortuosity
+/// in space. `edge` is that of measure_curve().
+CurveMeasures turns_on_ground(const SurfaceMesh& ground, const SurfaceCurve& curve, double edge,
+                              const CurveMeasures& on_mesh);
+
 /// The smoothed curves, which must be on the mesh, with a report on each, in the drawing's order.
 /// The total is not set.
 SmoothingResult reported(const OpenedMesh& mesh, const OrderedDrawing& drawing,

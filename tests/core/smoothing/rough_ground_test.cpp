@@ -119,6 +119,28 @@ TEST(RoughGround, TautCurvesAreGeodesicsOfTheMeshAsItIs) {
   EXPECT_NEAR(fair.reports[0].after.tortuosity, tortuosity(fair.curves[0]), 1e-12);
 }
 
+TEST(RoughGround, TurnsOfAStrokeWithARestAreThoseOfTheGround) {
+  const auto opened = rough_sphere(0.3);
+  const Surface& surface = opened->surface();
+  SurfaceCurve drawn =
+      test::vertex_curve(surface, draw_edge_path(surface, test::ids({0, 4})), false);
+  const std::size_t middle = drawn.points.size() / 2;
+  const FaceId face = common_face(surface, drawn.points[middle - 1], drawn.points[middle]);
+  std::vector<SurfacePoint> rest;
+  for (int k = 0; k < 60; ++k) {
+    const double a = 0.33 + 0.004 * (k % 7), b = 0.33 + 0.004 * (k % 5);
+    rest.push_back(SurfacePoint::in_face(surface, face, {a, b, 1 - a - b}));
+  }
+  drawn.points.insert(drawn.points.begin() + static_cast<std::ptrdiff_t>(middle), rest.begin(),
+                      rest.end());
+  const SmoothingReport report = smooth_curve(opened, drawn).reports[0];
+  ASSERT_GT(report.left_out, 0U);
+  const Surface& ground = opened->ground({})->surface();
+  EXPECT_NEAR(report.before.bending, measure_curve(ground, drawn, report.edge_length_near).bending,
+              1e-9 * report.before.bending);
+  EXPECT_NEAR(report.before.length, curve_length(surface, drawn), 1e-12);
+}
+
 TEST(RoughGround, PinsHoldAndADraggedStrokeIsSmoothedAnew) {
   const auto opened = rough_sphere(0.3);
   const std::vector<VertexId> way = draw_edge_path(opened->surface(), test::ids({0, 4}));
