@@ -63,8 +63,8 @@ TEST_F(Snapping, RefusesIdsOutOfRange) {
 }
 
 TEST_F(Snapping, RefusesIdsThatShareNoEdge) {
-  expect_parts(refusal(mesh_, of_ids({0, 1, 11, 10})), {"1 and 11", "position 1"});
-  expect_parts(refusal(mesh_, of_ids({0, 1, 2, 6}, true)), {"6 and 0", "position 3"});
+  expect_parts(refusal(mesh_, of_ids({0, 1, 11, 10})), {"1 and 11", "positions 1 and 2"});
+  expect_parts(refusal(mesh_, of_ids({0, 1, 2, 6}, true)), {"6 and 0", "positions 3 and 0"});
   EXPECT_EQ(snap(mesh_, of_ids({0, 11, 3}), {true}).points.size(), 3U);
 }
 
