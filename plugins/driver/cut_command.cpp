@@ -199,9 +199,13 @@ std::vector<std::string> Cutting::warnings() const {
 }
 
 std::string Cutting::summary() const {
-  std::string text =
-      fmt::format("{} curves cut {} faces; {} vertices are new, {} of them where curves cross\n",
-                  drawing_.curves.size(), cut_.cut_faces, cut_.new_vertices, cut_.crossings);
+  const std::size_t curves = drawing_.curves.size();
+  std::string text = fmt::format(
+      "{} {} {} {}; {} new, {} of them where curves cross\n", curves,
+      curves == 1 ? "curve cuts" : "curves cut", cut_.cut_faces,
+      cut_.cut_faces == 1 ? "face" : "faces",
+      cut_.new_vertices == 1 ? "1 vertex is" : fmt::format("{} vertices are", cut_.new_vertices),
+      cut_.crossings);
   if (cut_.merged > 0) {
     text += fmt::format(
         "{} {} within --merge of a vertex or an edge {} moved onto it, by {:.3g} at most\n",

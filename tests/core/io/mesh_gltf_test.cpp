@@ -191,9 +191,9 @@ TEST_F(GltfFiles, BuffersBesideTheFile) {
           << error.what();
     }
   }
-  EXPECT_NE(
-      refusal_of("a.gltf", gltf(node, what, "absent.bin")).find("'absent.bin' cannot be read"),
-      std::string::npos);
+  EXPECT_NE(refusal_of("a.gltf", gltf(node, what, "absent.bin"))
+                .find("'absent.bin', which should lie beside this one, cannot be read"),
+            std::string::npos);
 }
 
 TEST(GltfMesh, Errors) {

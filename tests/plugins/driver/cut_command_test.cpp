@@ -292,8 +292,8 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   write(file("over.obj"), line_over(-2, 12, 5.3));  // over both edges
   Outcome outcome = run("cut plane.ply --curve over.obj -o half.ply --split --report over.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  for (const char* words :
-       {"at its start: 8 points up to 2 mesh units beyond it", "at its end: 8", "2 pieces"}) {
+  for (const char* words : {"at its start: 8 points up to 2 mesh units beyond the border",
+                            "at its end: 8", "2 pieces"}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << outcome.out;
   }
   EXPECT_EQ(json("over.json")["separates"], nlohmann::json::array({true}));

@@ -226,7 +226,7 @@ TEST_F(MeasureCommand, PrintsATableAndIsQuietWhenAsked) {
     EXPECT_NE(two.out.find(words), std::string::npos) << two.out;
   }
   EXPECT_EQ(run("-q measure mesh.ply corner.txt").out, "");
-  EXPECT_NE(run("measure --help").out.find("in pairs"), std::string::npos);
+  EXPECT_NE(run("measure --help").out.find("one by one in their order"), std::string::npos);
 }
 
 TEST_F(MeasureCommand, SaysWhatIsWrong) {

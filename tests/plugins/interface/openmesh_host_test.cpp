@@ -176,7 +176,7 @@ TEST_F(OpenMeshHost, DeletedElementsAreSkippedAndHandlesStayValid) {
   inside.points.push_back({VertexHandle(), FaceHandle(-1), {1, 0, 0}});
   EXPECT_EQ(
       sentence_of([&] { instance.set_curves({inside}); }),
-      "Curve 0 has the face handle -1, but this face of the mesh does not exist or is deleted.");
+      "Curve 0 has the face handle -1, but the mesh has no such face, or the face is deleted.");
   EXPECT_EQ(
       sentence_of([&] { instance.put_fields(results, *std::make_unique<Double>()); }).substr(0, 34),
       "The mesh has 0 vertices and 0 face");
