@@ -154,7 +154,7 @@ class Labels(Case):
         self.assertIn("There are no labels: set Triangle Labels or Vertex Labels.",
                       self.error_of(none))
         both = pv.TalwegLabelBorders(Mesh=striped(True), TriangleLabels="row", VertexLabels="stripe")
-        self.assertIn("Both triangle_labels and vertex_labels are set; set only one of them.",
+        self.assertIn("Both Triangle Labels and Vertex Labels are set; set only one of them.",
                       self.error_of(both))
         missing = pv.TalwegLabelBorders(Mesh=labelled(True), TriangleLabels="nothing")
         self.assertIn("The mesh has no cell array nothing.", self.error_of(missing))

@@ -28,8 +28,9 @@ CurveTable::CurveTable(QWidget* parent) : QTreeWidget(parent) {
   setHeaderLabels({tr("Curve"), tr("Length"), tr("Deviation"), tr("Turning")});
   headerItem()->setToolTip(kName, tr("Double click a name to change it."));
   headerItem()->setToolTip(kLength, tr("Length of the smoothed curve, in mesh units."));
-  headerItem()->setToolTip(kDeviation,
-                           tr("How far result and drawing lie apart, either way, in mesh units."));
+  headerItem()->setToolTip(
+      kDeviation,
+      tr("The largest distance between result and drawing, in either direction, in mesh units."));
   headerItem()->setToolTip(kTurning, tr("The sum of all turns of the smoothed curve."));
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(20);

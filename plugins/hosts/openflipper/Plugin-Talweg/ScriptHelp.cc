@@ -112,7 +112,7 @@ std::vector<ScriptSlot> ScriptHelp::all() {
       {"colourBy(int,QString)", tr("Colours the curves or the mesh."), "meshId;what",
        mesh + tr(";nothing, deviation, distance or potential")},
       {"showComb(int,bool)", tr("Shows combs of curvature along the curves."), "meshId;with",
-       mesh + tr(";whether")},
+       mesh + tr(";whether the combs are shown")},
       {"largest(int,QString)", tr("Marks the place of the largest value, and returns it."),
        "meshId;what", mesh + tr(";nothing, deviation or curvature")},
   };

@@ -40,7 +40,7 @@ void set_parameter(const std::string& word, const talweg_plugin& plugin,
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) {
     throw std::runtime_error("Parameters: '" + word +
-                             "' is no name and value such as share=0.1.");
+                             "' is not of the form NAME=VALUE, such as share=0.1.");
   }
   const std::string id = word.substr(0, equals);
   const std::string value = word.substr(equals + 1);
