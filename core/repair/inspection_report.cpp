@@ -58,17 +58,18 @@ void for_each_defect(const MeshInspection& m, Visit visit) {
         m.non_finite_vertices, kBlocks);
   visit("repeated_vertex_faces", "faces that use a vertex twice: face", m.repeated_vertex_faces,
         kBlocks);
-  visit("duplicate_faces", "faces that are there twice: face", m.duplicate_faces, kBlocks);
+  visit("duplicate_faces", "faces that repeat another face: face", m.duplicate_faces, kBlocks);
   visit("non_manifold_edges", "edges with more than two faces: vertices", m.non_manifold_edges,
         kBlocks);
   visit("misoriented_edges", "edges between faces of opposite orientation: vertices",
         m.misoriented_edges, kBlocks);
-  visit("non_manifold_vertices", "vertices where surface parts only touch (bow-ties): vertex",
+  visit("non_manifold_vertices",
+        "vertices where parts of the surface touch without a common edge (bow-ties): vertex",
         m.non_manifold_vertices, kBlocks);
   visit("isolated_vertices", "vertices without a face: vertex", m.isolated_vertices, kTold);
   visit("stray_vertices", "of these, with coordinates that are not finite or too large: vertex",
         m.stray_vertices, kTold);
-  visit("duplicate_positions", "vertices at the place of another one: vertex",
+  visit("duplicate_positions", "vertices at the position of another vertex: vertex",
         m.duplicate_positions, kTold);
   visit("zero_area_faces", "faces of zero area: face", m.zero_area_faces, kTold);
   visit("needle_faces", "needle faces (an angle below 1 degree): face", m.needle_faces, kTold);

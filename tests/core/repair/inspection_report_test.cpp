@@ -36,7 +36,7 @@ TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
             json({{"count", 1}, {"first", {{{"id", 12}, {"repeats", 4}}}}}));
   // Face 4 has the vertices 2, 3, 7; only its side 2-7 is shared, with face 5.
   EXPECT_EQ(found["defects_found"],
-            json({"1 faces that are there twice: face 12 (as 4)",
+            json({"1 faces that repeat another face: face 12 (as 4)",
                   "1 edges with more than two faces: vertices 2-7 (faces 4, 5, 12)",
                   "2 edges between faces of opposite orientation: vertices 2-3 (faces 4, 12), 3-7 "
                   "(faces 4, 12)"}));
