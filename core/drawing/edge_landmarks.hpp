@@ -32,7 +32,7 @@ class EdgeLandmarks {
 
   std::vector<Distances> of_vertex_;
   // A path from a vertex v to an end t is at least as long as the distances of t and v from a
-  // landmark differ. The least of all ends, with the ways beyond them, needs two numbers.
+  // landmark differ. The minimum over all ends, each with its way beyond, needs two numbers.
   Distances goal_from_ = {};  ///< least of distance(t) + beyond: how far the goal is at least
   Distances goal_to_ = {};    ///< most of distance(t) - beyond
 };

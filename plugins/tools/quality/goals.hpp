@@ -22,7 +22,7 @@ std::vector<Goal> goals(std::span<const Run> runs, std::span<const Sweep> sweeps
                         std::span<const ClickedRun> clicked = {},
                         std::span<const HandRun> hands = {});
 
-/// As Markdown.
+/// The goals as a table in Markdown.
 std::string tables(std::span<const Goal> goals);
 
 }  // namespace talweg::quality

@@ -29,7 +29,7 @@ struct HandRun {
 /// This many hands (scenes/hands.hpp), each sampled in ten ways.
 std::vector<HandRun> hand_runs(const Subject& subject, std::size_t hands, std::uint64_t seed);
 
-/// As Markdown: a row for each way of sampling.
+/// A table in Markdown with a row for each way of sampling.
 std::string tables(std::span<const HandRun> runs);
 std::string csv(std::span<const HandRun> runs);
 

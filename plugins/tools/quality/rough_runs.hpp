@@ -27,7 +27,7 @@ struct RoughRun {
 /// The longest open and closed drawings as clicks, every 25th vertex, at roughness 0.1 to 1.
 std::vector<RoughRun> rough_runs(const Subject& subject, std::span<const NamedPath> drawings);
 
-/// As Markdown: a row for each roughness.
+/// A table in Markdown with a row for each roughness.
 std::string tables(std::span<const RoughRun> runs);
 std::string csv(std::span<const RoughRun> runs);
 

@@ -15,7 +15,7 @@ bool jagged(const Run& run);
 /// Every run, as comma-separated values.
 std::string csv(std::span<const Run> runs);
 
-/// As Markdown.
+/// The runs as tables in Markdown.
 std::string tables(std::span<const Run> runs);
 /// Three rows for each mesh: the defaults, and the same drawings with the paper's potential,
 /// without and with its relaxation; then their times. Meshes without runs of the paper's potential
