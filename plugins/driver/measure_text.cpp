@@ -18,7 +18,7 @@ std::string row(const std::string& name, const MeasuredCurve& c) {
   std::string contacts = std::to_string(c.contacts.size());
   if (c.stretches > 0) contacts += fmt::format(" ({} stretches)", c.stretches);
   return fmt::format(
-      "{:<8}{:>8}{:>8}{:>14.6g}{:>12.6g}{:>12.6g}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}{:>12}  "
+      "{:<8}{:>8}{:>8}{:>14.6g}{:>13.6g}{:>13.6g}{:>10.4g}{:>10.4g}{:>10.4g}{:>10.4g}{:>12}  "
       "{:<16}{}\n",
       name, c.points, c.closed ? "yes" : "no", m.length, m.total_curvature, m.signed_curvature,
       m.bending, degrees(m.window_turning), degrees(m.window_turning_2), degrees(m.max_curvature),
@@ -28,7 +28,7 @@ std::string row(const std::string& name, const MeasuredCurve& c) {
 
 std::string block(const std::string& file, const MeasuredCurves& curves) {
   std::string text = fmt::format(
-      "{}\n{:<8}{:>8}{:>8}{:>14}{:>12}{:>12}{:>10}{:>10}{:>10}{:>10}{:>12}  "
+      "{}\n{:<8}{:>8}{:>8}{:>14}{:>13}{:>13}{:>10}{:>10}{:>10}{:>10}{:>12}  "
       "{:<16}{}\n",
       file, "curve", "points", "closed", "length", "curvature", "signed", "bending", "in 1 h",
       "in 2 h", "max turn", "tortuosity", "self-contacts", "max turn at");

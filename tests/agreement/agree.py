@@ -176,12 +176,13 @@ def curves_apart(first, second):
 
 
 def report_apart(first, second):
-    """Raises ValueError if whole numbers or words differ. Measured numbers follow from positions and are not
-    compared. Returns 0."""
+    """Raises ValueError if keys, whole numbers or words differ. Measured numbers follow from positions and are
+    not compared. Returns 0."""
     if isinstance(first, dict):
-        if NOT_RESULTS & first.keys() or first.keys() == second.keys():
-            for key in first.keys() - NOT_RESULTS:
-                report_apart(first[key], second[key])
+        if not isinstance(second, dict) or first.keys() - NOT_RESULTS != second.keys() - NOT_RESULTS:
+            raise ValueError("other keys in one report")
+        for key in first.keys() - NOT_RESULTS:
+            report_apart(first[key], second[key])
     elif isinstance(first, list) and len(first) == len(second):
         for a, b in zip(first, second):
             report_apart(a, b)
