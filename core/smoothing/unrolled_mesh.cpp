@@ -88,8 +88,10 @@ class Strip {
   ProgressPoller& poller_;
   std::vector<FaceId> faces_;
   std::vector<Index> across_;
-  std::vector<Index> older_;                       // per copy, the previous copy of its face
-  std::unordered_map<std::size_t, Index> newest_;  // per face with copies, its last copy
+  // The open sides along each halfedge, and sides that were joined since: per halfedge of a copied
+  // face, the last side; per side, the side before.
+  std::unordered_map<std::size_t, Index> newest_;
+  std::vector<Index> older_;
   std::vector<double> place_;     // per copy, the arc length of the curve that it belongs to
   double length_ = 0, here_ = 0;  // of the curve; arc length for new copies
   bool closed_ = false;
@@ -105,8 +107,10 @@ Strip::Index Strip::add(FaceId face) {
   across_.insert(across_.end(), 3, kOpen);
   place_.push_back(here_);
   const auto copy = static_cast<Index>(faces_.size() - 1);
-  const auto [of_face, is_first] = newest_.try_emplace(face.index(), copy);
-  older_.push_back(is_first ? kOpen : std::exchange(of_face->second, copy));
+  for (Index side = 3 * copy; side < 3 * copy + 3; ++side) {
+    const auto [last, is_first] = newest_.try_emplace(halfedge(side).index(), side);
+    older_.push_back(is_first ? kOpen : std::exchange(last->second, side));
+  }
   return copy;
 }
 
@@ -169,13 +173,17 @@ bool Strip::close_at(Index side, bool at_tail) {
 /// exponentially with its reach. Tells whether sides were joined.
 bool Strip::join_around_handle(Index side) {
   const HalfedgeId h = twin(halfedge(side));
-  const auto found = newest_.find(surface_.face(h).index());
+  const auto found = newest_.find(h.index());
   if (found == newest_.end()) return false;
   const auto out = [&](Index at) { return std::min(distance_[at], distance_[next(at)]); };
-  for (Index copy = found->second; copy != kOpen; copy = older_[copy]) {
-    const Index other = side_of(copy, h);
-    if (across_[other] != kOpen) continue;
-    double apart = std::abs(place_[copy] - place_[side / 3]);
+  for (Index* link = &found->second; *link != kOpen;) {
+    const Index other = *link;
+    if (across_[other] != kOpen) {  // joined sides stay joined
+      *link = older_[other];
+      continue;
+    }
+    link = &older_[other];
+    double apart = std::abs(place_[other / 3] - place_[side / 3]);
     if (closed_) apart = std::min(apart, length_ - apart);
     if (apart > out(side) + out(other) || !may_join(side, other)) continue;
     glue(side, other);
