@@ -99,6 +99,7 @@ std::string places_words(const Defect<Place>& defect) {
 
 std::vector<std::string> defect_lines(const std::vector<DefectWords>& defects) {
   std::vector<std::string> lines;
+  lines.reserve(defects.size());
   for (const DefectWords& defect : defects) {
     lines.push_back(fmt::format("{} {}", count_text(defect.count), defect.words));
   }
