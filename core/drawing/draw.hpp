@@ -23,8 +23,8 @@ struct DrawOptions {
   /// True: straight over the faces. False: along edges if all clicks are vertices, else straight.
   /// Default: true if `tolerance` has a value (clicks leave the course between them open).
   std::optional<bool> straight;
-  /// Mesh units, >= 0: how far from each click a result may pass. Without a value the clicks are no
-  /// way-points, and the whole path is a stroke.
+  /// Mesh units, >= 0: how far from each click a result may pass. Without a value the clicks are
+  /// not way-points, and the whole path is a stroke.
   std::optional<double> tolerance = 0;
 };
 

@@ -12,8 +12,8 @@ namespace talweg {
 /// The points of one curve that stay, and the kinds of the stretches between them.
 struct DrawnLegs {
   std::vector<SurfacePoint> fixed;  ///< pins, way-points and both ends, in order
-  std::vector<double> tolerances;   ///< of `fixed`, mesh units; 0 for points that are no way-points
-  std::vector<bool> is_leg;         ///< per stretch from one fixed point to the next
+  std::vector<double> tolerances;  ///< of `fixed`, mesh units; 0 for points that are not way-points
+  std::vector<bool> is_leg;        ///< per stretch from one fixed point to the next
 
   [[nodiscard]] bool any() const;
   [[nodiscard]] bool all() const;  ///< whether there are stretches, and all are legs

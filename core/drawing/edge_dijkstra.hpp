@@ -66,7 +66,7 @@ class EdgeDijkstra {
   /// The paths among which search() finds the shortest.
   struct Task {
     std::span<const PathEnd> starts, ends;
-    bool not_along_edge = false;  ///< the edge from a start to an end is no path
+    bool not_along_edge = false;  ///< the edge from a start to an end is not a path
     bool obey_blocks = true;      ///< blocked vertices are passed by
   };
   struct Entry {

@@ -18,7 +18,7 @@ std::vector<InputWayPoint> exact_points(const SnappedCurve& curve) {
 }
 
 /// The largest of the first three steps of a stroke, and the largest of its last three; 0 for
-/// curves that are no strokes of a hand.
+/// curves that are not strokes of a hand.
 std::array<double, 2> steps_at_ends(const SurfaceMesh& mesh, const SnappedCurve& curve) {
   constexpr std::size_t kSteps = 3;
   std::array<double, 2> steps{};

@@ -19,13 +19,13 @@ struct SnappedDrawing {
   std::vector<SurfaceCurve> curves;
   std::vector<bool> may_be_loop;  ///< per curve, see SnappedCurve; may be empty
   /// Per curve the distance in space of the hand's samples at the start and at the end: the largest
-  /// of three steps, mesh units; 0 for a curve that is no open stroke of a hand. May be empty.
+  /// of three steps, mesh units; 0 for a curve that is not an open stroke of a hand. May be empty.
   std::vector<std::array<double, 2>> hand_steps;
   std::vector<SurfacePoint> pins;
   std::vector<WayPoint> way_points;   ///< named by the drawing
   std::vector<WayPoint> all_exact;    ///< the way-points under PointMeaning::kExact
   std::vector<SurfacePoint> painted;  ///< named by the drawing
-  std::vector<std::string> strokes;   ///< sentences on control points that are no way-points
+  std::vector<std::string> strokes;   ///< sentences on control points that are not way-points
   std::vector<std::string> notes;     ///< sentences on points that were moved or left out
   double largest_snap_distance = 0;   ///< largest move of a position onto the mesh, mesh units
   std::string better_fit;             ///< from the first curve that has a text, see SnappedCurve

@@ -68,7 +68,7 @@ struct SnappedCurve {
 /// Throws Error(kBadCurve) naming the position in the curve (from 0) and the ids: for an id or face
 /// out of range, neighbours that share no edge, barycentrics out of range, a position that is not
 /// finite or lies farther from the mesh than both an eighth of the diagonal of its box and ten mean
-/// edges, a pin, way-point or painted point that is no point of the curve, a tolerance below 0,
+/// edges, a pin, way-point or painted point that is not a point of the curve, a tolerance below 0,
 /// fewer than two points, or a closed curve with fewer than three. Throws Cancelled when
 /// `progress` (stage "snap") says so. O(degree) for a vertex and O(log faces) for a position, for
 /// which a ClosestPoint is built first. In addition, each painted point is compared with each

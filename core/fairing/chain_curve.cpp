@@ -35,7 +35,7 @@ struct Node {
 class Nodes {
  public:
   Nodes(const Surface& surface, const CurveTrace& trace) : trace_(&trace) {
-    const std::size_t first = trace.closed ? 0 : 1;  // the first fixed point that is no end
+    const std::size_t first = trace.closed ? 0 : 1;  // the first fixed point that is not an end
     std::size_t k = 0;
     for (std::size_t i = 0; i < trace.pieces.size(); ++i) {
       const TracePiece& piece = trace.pieces[i];

@@ -95,7 +95,7 @@ bool is_clearly_fair(const Surface& surface, const SurfaceCurve& curve,
 
 namespace {
 
-/// Calls look() with the turns at points that are no corners, without the ends of an open curve,
+/// Calls look() with the turns at points that are not corners, without the ends of an open curve,
 /// until look() returns false.
 template <class Look>
 void look_at_turns(const Surface& surface, const SurfaceCurve& curve,

@@ -20,10 +20,10 @@ double bending_between(const Surface& surface, const SurfaceCurve& curve,
 bool total_turn_reaches(double least, const Surface& surface, const SurfaceCurve& curve,
                         std::span<const SurfacePoint> corners);
 
-/// The largest turn at a point of a fair curve that is no corner, radians.
+/// The largest turn at a point of a fair curve that is not a corner, radians.
 constexpr double kMostFairTurn = 5 * std::numbers::pi / 180;
 
-/// The largest turn (radians) at a point that is no corner.
+/// The largest turn (radians) at a point that is not a corner.
 double largest_turn_between(const Surface& surface, const SurfaceCurve& curve,
                             std::span<const SurfacePoint> corners);
 

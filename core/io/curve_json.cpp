@@ -31,7 +31,7 @@ std::string exact_member(const PlacedCurve& curve, std::size_t k) {
   return mark == 0 ? ", \"exact\": true" : fmt::format(", \"exact\": {:.17g}", mark);
 }
 
-/// The member `pinned`; empty for a point that is no pin.
+/// The member `pinned`; empty for a point that is not a pin.
 std::string pinned_member(const PlacedCurve& curve, std::size_t k) {
   return std::binary_search(curve.pins.begin(), curve.pins.end(), k) ? ", \"pinned\": true" : "";
 }

@@ -22,7 +22,7 @@ class VtkReader {
       if (section == "POINT_DATA" || section == "CELL_DATA") break;
       read_section(section);
     }
-    // Data are read only for marks, so data of unknown kinds are no error in other files.
+    // Data are read only for marks, so data of unknown kinds are not an error in other files.
     if (source_.bytes.find("exact") != std::string_view::npos) read_data(section);
     if (cells_.empty()) cannot_read(source_.path, "it has no LINES, so it holds no curves");
     check_indices();

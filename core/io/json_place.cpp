@@ -11,8 +11,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Throws if the text nests too deep. The parser's callback is no alternative: with a callback the
-/// parser looks at all elements of an array after each element.
+/// Throws if the text nests too deep. The parser's callback is not an alternative: with a callback
+/// the parser looks at all elements of an array after each element.
 void check_depth(const Source& source) {
   constexpr int kDeepest = 64;
   int depth = 0;

@@ -133,10 +133,10 @@ MeshLists read_freesurfer_mesh(const MeshFile& file, MeshAttributes* attributes)
   } else if (magic == kQuads || magic == kFloatQuads) {
     read_quads(bytes, magic == kFloatQuads, lists);
   } else {
-    bytes.fail(
-        fmt::format("it is no surface of FreeSurfer: expected it to begin with FFFFFE (triangles), "
-                    "FFFFFF or FFFFFD (quads), found {:06X}",
-                    magic));
+    bytes.fail(fmt::format(
+        "it is not a surface of FreeSurfer: expected it to begin with FFFFFE (triangles), "
+        "FFFFFF or FFFFFD (quads), found {:06X}",
+        magic));
   }
   if (attributes != nullptr && bytes.left() > 0) {
     attributes->left_out.emplace_back("the geometry of the volume (FreeSurfer)");

@@ -298,7 +298,7 @@ class GltfReader {
     check_size(primitive, lists_.triangles.size() + corners.size());
     if (mode == kTriangleList) {
       if (corners.size() % 3 != 0) {
-        primitive.fail(fmt::format("{} corners are no triangles", corners.size()));
+        primitive.fail(fmt::format("{} corners are not a multiple of 3", corners.size()));
       }
       for (std::size_t k = 0; k < corners.size(); k += 3) {
         add(vertex(k), vertex(k + 1), vertex(k + 2));

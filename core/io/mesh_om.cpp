@@ -77,7 +77,7 @@ class OmReader {
   void read_header() {
     const char* magic = cursor_.take(4);
     if (magic == nullptr || magic[0] != 'O' || magic[1] != 'M') {
-      bad_file(file_.path, "this is no OM file: it does not begin with the letters OM.");
+      bad_file(file_.path, "this is not an OM file: it does not begin with the letters OM.");
     }
     mesh_ = magic[2];
     major_ = static_cast<unsigned char>(magic[3]) >> 5U;

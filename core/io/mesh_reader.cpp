@@ -46,8 +46,8 @@ FormatReader format_reader_of(const std::filesystem::path& path) {
   }
   const std::string known = fmt::format("; expected {}.", readable_meshes());
   if (extension.empty()) bad_file(path, "the file name has no extension" + known);
-  bad_file(path, fmt::format("'{}' is no mesh format that Talweg reads{}{}", printable(extension),
-                             instead_of(path), known));
+  bad_file(path, fmt::format("'{}' is not a mesh format that Talweg reads{}{}",
+                             printable(extension), instead_of(path), known));
 }
 
 MeshLists read_bytes(const std::filesystem::path& path, std::string_view bytes,

@@ -34,7 +34,7 @@ namespace talweg {
 /// glTF and 3MF: the meshes of the default scene, or of the build, are transformed and appended one
 /// after the other, each with all its vertices in their order. Buffers of a .gltf are read from
 /// files beside the file. MSH: nodes are vertices in the file's order, whatever their numbers.
-/// `notes` names contents that are no surface (lines, volumes).
+/// `notes` names contents that are not a surface (lines, volumes).
 ///
 /// Talweg has its own readers because the readers of OpenMesh drop faces that do not fit its
 /// halfedges, use `float` in places, and do not notice a truncated file.

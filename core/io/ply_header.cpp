@@ -21,7 +21,7 @@ NumberType read_type(LineScanner& lines) {
       {"double", NumberType::kFloat64}, {"float64", NumberType::kFloat64}};
   const std::string_view word = lines.word();
   const auto found = kTypes.find(word);
-  if (found == kTypes.end()) lines.fail(quoted(word) + " is no PLY number type.");
+  if (found == kTypes.end()) lines.fail(quoted(word) + " is not a PLY number type.");
   return found->second;
 }
 
@@ -30,7 +30,7 @@ PlyEncoding read_encoding(LineScanner& lines) {
   if (word == "ascii") return PlyEncoding::kText;
   if (word == "binary_little_endian") return PlyEncoding::kLittleEndian;
   if (word == "binary_big_endian") return PlyEncoding::kBigEndian;
-  lines.fail(quoted(word) + " is no PLY encoding.");
+  lines.fail(quoted(word) + " is not a PLY encoding.");
 }
 
 PlyProperty read_property(LineScanner& lines) {
@@ -92,7 +92,7 @@ PlyHeader read_ply_header(const MeshFile& file) {
     } else if (keyword == "comment" || keyword == "obj_info") {
       read_comment(lines, keyword, header);
     } else {
-      lines.fail(quoted(keyword) + " is no word of a PLY header.");
+      lines.fail(quoted(keyword) + " is not a word of a PLY header.");
     }
   }
   if (!has_format) bad_file(file.path, "the PLY header names no format.");

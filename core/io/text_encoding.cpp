@@ -18,7 +18,7 @@ void check_no_nul(const std::filesystem::path& path, std::string_view bytes) {
   const std::size_t at = bytes.find('\0');
   if (at == std::string_view::npos) return;
   cannot_read(path, "line " + std::to_string(line_of(bytes, at)) + ": byte " + std::to_string(at) +
-                        " is a NUL byte, so this is no text file");
+                        " is a NUL byte, so this is not a text file");
 }
 
 void check_line_ends(const std::filesystem::path& path, std::string_view bytes) {

@@ -138,7 +138,8 @@ std::string decoded_block(const VtkEncoding& encoding, std::string_view stored, 
 std::vector<double> numbers_of(std::string_view bytes, NumberType type, bool swap) {
   const std::size_t size = size_of(type);
   if (bytes.size() % size != 0) {
-    throw std::runtime_error(std::to_string(bytes.size()) + " bytes are no whole number of values");
+    throw std::runtime_error(std::to_string(bytes.size()) +
+                             " bytes are not a whole number of values");
   }
   std::vector<double> numbers(bytes.size() / size);
   for (std::size_t k = 0; k < numbers.size(); ++k) {

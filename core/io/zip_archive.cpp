@@ -39,7 +39,7 @@ std::string inflated(std::string_view packed, std::uint64_t size) {
 ZipArchive::ZipArchive(const std::filesystem::path& path, std::string_view bytes)
     : path_(path), bytes_(bytes) {
   if (!bytes.starts_with("PK"))
-    fail("this is no zip archive: it does not begin with the letters PK");
+    fail("this is not a zip archive: it does not begin with the letters PK");
   const std::size_t end = bytes.rfind("PK\x05\x06");
   if (end == std::string_view::npos || bytes.size() - end < kEndSize) {
     fail("the zip archive has no directory at its end, so it is cut off");

@@ -169,7 +169,7 @@ class Departures {
     return (mesh_->position(from) - mesh_->position(to)).norm();
   }
 
-  // A fraction of the band. A way that stays this near to the drawing is no move.
+  // A fraction of the band. A way that stays this near to the drawing is not a move.
   static constexpr double kRounding = 1e-6;
 
   const SurfaceMesh* mesh_;

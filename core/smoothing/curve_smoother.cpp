@@ -392,7 +392,7 @@ CurveOptions CurveSmoother::options_of_moved(std::span<const SurfaceCurve> curve
   std::erase_if(own.pins, is_gone);
   std::erase_if(own.corners, is_gone);
   std::erase_if(own.painted, is_gone);
-  // An old place of a moved click may still lie on the path, but is no way-point.
+  // An old place of a moved click may still lie on the path, but is not a way-point.
   const auto is_left = [&](const SurfacePoint& point) {
     return !way_points.empty() && !others.contains(point);
   };

@@ -26,7 +26,7 @@ struct Descriptor {
 
 [[noreturn]] void failed(const std::string& path) { cannot_write(path, reason_of(errno)); }
 
-/// Opens an existing file that is no regular file. To open a pipe would wait for a reader and
+/// Opens an existing file that is not a regular file. To open a pipe would wait for a reader and
 /// ignore signals, so opening is tried again and again without waiting.
 int open_in_place(const std::string& path, bool pipe) {
   for (;;) {

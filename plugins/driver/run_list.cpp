@@ -129,7 +129,7 @@ void check_columns(const std::string& path, const TableLine& header, const Smoot
     if (patterns.find("{" + column + "}") == std::string::npos) {
       const std::string meant = suggestion(option_of(column), columns);
       bad_line(path, header.line,
-               fmt::format("the column \"{}\" is no option of smooth, and no output is named "
+               fmt::format("the column \"{}\" is not an option of smooth, and no output is named "
                            "by it{}",
                            column, meant.empty() ? "." : meant));
     }

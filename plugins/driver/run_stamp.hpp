@@ -25,7 +25,7 @@ class InputStamps {
 };
 
 /// A hash of the curves that a run has written. The report contains times, so only its existence
-/// counts. Empty when an output is missing or is no file.
+/// counts. Empty when an output is missing or is not a file.
 std::string outputs_stamp(const SmoothOptions& options);
 
 }  // namespace talweg::driver

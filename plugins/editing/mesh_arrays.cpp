@@ -36,7 +36,7 @@ std::vector<Point> points_at(const MeshArrays& mesh, const std::vector<std::uint
   for (const std::uint32_t v : vertices) {
     points.push_back(found[v]);
     if (points.back().barycentric == std::array<double, 3>{0, 0, 0}) {
-      throw Error("Vertex " + std::to_string(v) + " is no corner of any face.");
+      throw Error("Vertex " + std::to_string(v) + " is not a corner of any face.");
     }
   }
   return points;

@@ -73,7 +73,7 @@ enum class Hand {
   kDrags,   ///< moves a point: as kSlides, and smoothed only near the change if the plugin can
 };
 
-/// The treatment of a mesh that is no surface, for example because a face occurs twice.
+/// The treatment of a mesh that is not a surface, for example because a face occurs twice.
 enum class Defects {
   kRefuse,  ///< the mesh is not opened; the outcome says what a repair would change
   kRepair,  ///< the mesh is repaired; results have the numbers of the mesh before the repair

@@ -83,7 +83,7 @@ typedef struct talweg_origin {
 /* Flags of `takes`. */
 enum {
   TALWEG_TAKES_ATTRIBUTES = 1 << 0, /* set_attributes() and attributes() are not null */
-  TALWEG_TAKES_ANY_MESH = 1 << 1    /* set_mesh() also takes a mesh that is no surface */
+  TALWEG_TAKES_ANY_MESH = 1 << 1    /* set_mesh() also takes a mesh that is not a surface */
 };
 
 typedef talweg_status (*talweg_attribute_function)(void *context, const talweg_attribute *attribute);

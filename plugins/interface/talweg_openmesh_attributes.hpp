@@ -110,7 +110,7 @@ void for_rows(const Mesh& mesh, const MeshNumbers& numbers, std::uint32_t elemen
   }
 }
 
-/// Entries of an attribute of corners: equal values at a vertex share an entry, and NaN is no
+/// Entries of an attribute of corners: equal values at a vertex share an entry, and NaN is not an
 /// entry.
 class Entries {
  public:

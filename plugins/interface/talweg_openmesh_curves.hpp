@@ -111,7 +111,7 @@ class CurveReader {
       for (const double x : place) {
         if (std::isfinite(x)) continue;
         bad(TALWEG_BAD_CURVE,
-            "has a coordinate at point " + std::to_string(k / 3) + " that is no finite number");
+            "has a coordinate at point " + std::to_string(k / 3) + " that is not a finite number");
       }
       const auto [face, barycentric] = nearest_.to(place);
       points.push_back(in_face(face, barycentric));

@@ -177,8 +177,9 @@ void fill_mesh(Mesh& mesh, const talweg_array& positions, const talweg_array& tr
     for (std::size_t i = 0; i < 3; ++i) {
       if (!(std::abs(xyz[k + i]) <=
             static_cast<double>(std::numeric_limits<ScalarOf<Mesh>>::max()))) {
-        throw plugin::Failure(TALWEG_BAD_MESH, "Vertex " + std::to_string(k / 3) +
-                                                   " has a coordinate that is no finite number.");
+        throw plugin::Failure(
+            TALWEG_BAD_MESH,
+            "Vertex " + std::to_string(k / 3) + " has a coordinate that is not a finite number.");
       }
       p[i] = static_cast<ScalarOf<Mesh>>(xyz[k + i]);
     }

@@ -59,7 +59,7 @@ std::optional<std::string> described(const Mesh& mesh, const MeshNumbers& number
   if (property.access == nullptr) {
     const std::string type = given.get_storage_name();
     return "holds " + (type == "UnknownType" ? std::string("a type of its own") : type) +
-           ", which is no number and no row of numbers";
+           ", which is neither a number nor a row of numbers";
   }
   std::optional<std::uint32_t> columns;
   bool even = true;

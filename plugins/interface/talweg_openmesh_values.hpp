@@ -153,7 +153,7 @@ inline const Access& access(std::uint32_t type, std::uint32_t columns) {
   return *with_type(type, columns, []<class Value>(Value*) { return &AccessTo<Value>::kAll; });
 }
 
-/// The access to an existing property; null if its values are no rows of numbers.
+/// The access to an existing property; null if its values are not rows of numbers.
 inline const Access* access_to(const OpenMesh::BaseProperty& property) {
   for (std::uint32_t type = TALWEG_FLOAT64; type <= TALWEG_UINT16; ++type) {
     for (const std::uint32_t columns : {1, 2, 3, 4, 5}) {

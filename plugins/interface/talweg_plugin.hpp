@@ -310,7 +310,8 @@ class Adapter {
                                   const talweg_instance* other) noexcept {
     return call(instance, [&](Instance& self) {
       const auto* from = reinterpret_cast<const Instance*>(other);
-      if (from == nullptr || from->kind != &table()) bad("other is no instance of this plugin.");
+      if (from == nullptr || from->kind != &table())
+        bad("other is not an instance of this plugin.");
       if (!from->has_mesh) bad("The other instance has no mesh.");
       if constexpr (requires { self.worker.share_mesh(from->worker); }) {
         self.worker.share_mesh(from->worker);
@@ -408,7 +409,7 @@ class Adapter {
   }
   static const char* last_error(const talweg_instance* instance) noexcept {
     const auto* self = reinterpret_cast<const Instance*>(instance);
-    if (self == nullptr || self->kind != &table()) return "This is no instance of the plugin.";
+    if (self == nullptr || self->kind != &table()) return "This is not an instance of the plugin.";
     return self->busy ? "Another call on the instance is running." : self->error.c_str();
   }
 };

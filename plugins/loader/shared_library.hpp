@@ -7,8 +7,8 @@ namespace talweg::loader {
 
 class SharedLibrary {
  public:
-  /// Throws std::runtime_error with one sentence on why the file cannot be loaded: the file is no
-  /// library, is for another kind of machine, is truncated, or needs a library that is missing.
+  /// Throws std::runtime_error with one sentence on why the file cannot be loaded: the file is not
+  /// a library, is for another kind of machine, is truncated, or needs a library that is missing.
   explicit SharedLibrary(const std::string& path);
   ~SharedLibrary();
   SharedLibrary(SharedLibrary&& other) noexcept : handle_(other.handle_) {

@@ -58,7 +58,7 @@ void talweg_loader::look_at(const std::string& path) {
   talweg::loader::SharedLibrary library(path);
   void* symbol = library.symbol(TALWEG_PLUGIN_ENTRY);
   if (symbol == nullptr) {
-    refused.push_back({path, "It is no plugin: it has no symbol " TALWEG_PLUGIN_ENTRY "."});
+    refused.push_back({path, "It is not a plugin: it has no symbol " TALWEG_PLUGIN_ENTRY "."});
     return;
   }
   talweg_plugin_entry_function entry = nullptr;

@@ -14,7 +14,7 @@ namespace talweg::plugins {
 
 /// Copies the host's arrays into our own memory, with the marks of the points
 /// (talweg_way_points.h); nothing is checked against a mesh. Throws
-/// plugin::Failure(TALWEG_BAD_USAGE) for an array that cannot be read or values that are no marks,
+/// plugin::Failure(TALWEG_BAD_USAGE) for an array that cannot be read or values that are not marks,
 /// or when the numbers of faces and barycentrics or of points and marks differ, and
 /// TALWEG_BAD_CURVE when there are no points.
 CurveInput input_of(const talweg_curve& curve);

@@ -42,7 +42,7 @@ std::vector<talweg_parameter> with_repair(std::vector<talweg_parameter> paramete
   parameters.push_back(
       plugin::boolean("repair", "Repair the mesh", by_default,
                       "Repair the mesh to a surface first; results keep the vertex and triangle "
-                      "numbers of the given mesh. Set this before a mesh that is no surface.",
+                      "numbers of the given mesh. Set this before a mesh that is not a surface.",
                       TALWEG_STAGE_MESH));
   step("repair_weld", "Repair: weld", "Vertices at the same place become one.");
   step("repair_drop", "Repair: drop", "Faces without area and repeated faces are dropped.");

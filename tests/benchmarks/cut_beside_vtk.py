@@ -136,7 +136,7 @@ def compare(mesh, drawing):
     vertices, faces = read(mesh)
     curve = talweg.smooth((vertices, faces), talweg.read_curves(drawing)[0]).curve
     if not curve.closed:
-        sys.exit(f"{drawing} is no closed curve.")
+        sys.exit(f"{drawing} is not a closed curve.")
     print(f"{mesh}: {len(faces)} faces, a loop of {len(curve.positions)} points")
     at_vertices, at_faces = attributes_of(vertices, faces)
     arrays = talweg.Mesh(vertices, faces, vertex_attributes=at_vertices, face_attributes=at_faces)

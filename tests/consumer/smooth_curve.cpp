@@ -14,7 +14,7 @@ struct DoublePoints : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;  // normals stay in single precision
 };
 
-/// A flat square of kCells x kCells cells; its diagonal is no mesh edge.
+/// A flat square of kCells x kCells cells; its diagonal is not a mesh edge.
 template <class Mesh>
 Mesh square() {
   Mesh mesh;

@@ -96,7 +96,7 @@ class Geodesic : public ::testing::TestWithParam<const char*> {
     return straightened(smoother, test::vertex_curve(opened_->surface(), path, false));
   }
   double straightened(CurveSmoother& smoother, const SurfaceCurve& curve) {
-    // With way-points at its ends the curve is no stroke of a hand, so no point is left out.
+    // With way-points at its ends the curve is not a stroke of a hand, so no point is left out.
     smoother.set_curve(curve,
                        {.cap_corners = false,
                         .way_points = {{curve.points.front(), 0}, {curve.points.back(), 0}}});

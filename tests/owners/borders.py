@@ -12,7 +12,7 @@ import shape
 from same_curve import curves_of, distance, driver
 
 NAMES = ["???", "V1", "V2", 'motor & "s"']
-COLORS = [(0.2, 0, 0.2, 0), (1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1)]  # black is no label in an .annot
+COLORS = [(0.2, 0, 0.2, 0), (1, 0, 0, 1), (0, 1, 0, 1), (0, 0, 1, 1)]  # black means no label in an .annot
 
 
 def write_inputs(folder):

@@ -29,7 +29,7 @@ struct RunOutcome {
 /// Makes a random mesh, defects, a repair, a drawing and options, all from the seed. Smooths twice
 /// with different tau. Every fourth run cuts along the result and caps the pieces, every fifth
 /// smooths with a budget, every fourth smooths borders of labels. Checks all results. Throws only
-/// exceptions that are no Error, which are faults. `threads` must not change the outcome.
+/// exceptions other than Error, which are faults. `threads` must not change the outcome.
 RunOutcome random_run(std::uint64_t seed, unsigned threads = 1);
 
 }  // namespace talweg::stress

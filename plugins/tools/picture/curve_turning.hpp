@@ -16,7 +16,7 @@ struct CurveTurning {
   std::vector<std::vector<CurvatureStep>> steps;  ///< of every curve
 };
 
-/// A mesh that is no surface is repaired first; the curves have the indices of `lists`. `curves`
+/// A mesh that is not a surface is repaired first; the curves have the indices of `lists`. `curves`
 /// must not be empty. Throws as snap(), SurfaceMesh::open() and repair() do.
 CurveTurning turning_of(const MeshLists& lists, std::span<const CurveInput> curves);
 

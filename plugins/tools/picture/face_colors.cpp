@@ -44,7 +44,7 @@ std::vector<std::int64_t> read_label_file(const std::string& path) {
   for (std::int64_t label = 0; in >> label;) labels.push_back(label);
   if (!in.eof()) {
     throw Error(ErrorCode::kBadFile,
-                path + ": label " + std::to_string(labels.size()) + " is no whole number");
+                path + ": label " + std::to_string(labels.size()) + " is not a whole number");
   }
   return labels;
 }

@@ -52,7 +52,7 @@ TEST_F(Frames, OfMeshesAreReadWhereSlicerWritesThem) {
   EXPECT_EQ(space("a.stl", "solid 3D Slicer output. SPACE=RAS\n" + kFacet + "endsolid\n"),
             PatientSpace::kRas);
   EXPECT_EQ(space("a.stl", binary_stl("3D Slicer output. SPACE=LPS")), PatientSpace::kLps);
-  // Other words are no space.
+  // Other words name no space.
   for (const char* note : {"SPACE=RASTER", "SPACE=", "SPACE=LAS", "NOSPACE RAS", "space=RAS"}) {
     EXPECT_EQ(space("a.ply", ply("comment " + std::string(note) + "\n")), PatientSpace::kNotSaid)
         << note;

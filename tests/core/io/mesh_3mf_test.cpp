@@ -157,7 +157,7 @@ TEST(ThreeMf, Errors) {
   };
   const std::string item = "<item objectid=\"1\"/>";
   const std::string good = zip(files(model(mesh("1"), item)));
-  says("hello", "this is no zip archive");
+  says("hello", "this is not a zip archive");
   says(good.substr(0, good.size() - 30), "no directory at its end");
   says(zip({{"other.txt", "x"}}), "the zip archive has no 3D/3dmodel.model");
   says(zip(files("<model>")), "3D/own name.model, line 1: it is not well-formed XML");

@@ -209,7 +209,7 @@ TEST(GltfMesh, Errors) {
   says(gltf(R"({"name":"empty"})", good), "no triangles");
   says(gltf(node, primitive(R"(,"indices":7)")), "accessors: there is no accessor 7");
   says(gltf(node, primitive(R"(,"indices":0)")), "expected the type SCALAR, found 'VEC3'");
-  says(gltf(node, primitive(R"(,"indices":3)")), "4 corners are no triangles");
+  says(gltf(node, primitive(R"(,"indices":3)")), "4 corners are not a multiple of 3");
   says(gltf(node, primitive(R"(,"extensions":{"KHR_draco_mesh_compression":{}})")),
        "KHR_draco_mesh_compression, which is not read; export it without compression");
   says(gltf(node, good, "data:;base64,####"), "buffers[0].uri: its data are not base64");

@@ -178,7 +178,7 @@ TEST_F(MeshReader, PlyHeadersThatMakeNoSense) {
             ", line 1: expected the word ply at the beginning of the file.");
   EXPECT_EQ(
       refusal("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty number x\nend_header\n"),
-      ", line 4: 'number' is no PLY number type.");
+      ", line 4: 'number' is not a PLY number type.");
   EXPECT_EQ(refusal("a.ply",
                     "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int "
                     "y\nend_header\n0 0\n"),
@@ -320,7 +320,7 @@ TEST_F(MeshReader, OmKeepsIdsCornersAndPrecision) {
   EXPECT_TRUE(read_mesh(file("b.om")).single_precision);
   EXPECT_EQ(read_mesh(file("b.om")).triangles, wide.triangles);
   EXPECT_EQ(refusal("c.om", "PM and more of it"),
-            ": this is no OM file: it does not begin with the letters OM.");
+            ": this is not an OM file: it does not begin with the letters OM.");
 }
 
 TEST_F(MeshReader, FilesThatAreNoMeshes) {
@@ -341,10 +341,11 @@ TEST_F(MeshReader, FilesThatAreNoMeshes) {
     EXPECT_NE(refusal(name, "\n\n"), "");
     EXPECT_NE(refusal(name, std::string(200, '\0')), "");
   }
-  EXPECT_EQ(refusal("a.xyz", "0 0 0\n"),
-            ": '.xyz' is no mesh format that Talweg reads: it is a cloud of points; make a surface "
-            "of it first (with MeshLab or CloudCompare); expected " +
-                readable_meshes() + ".");
+  EXPECT_EQ(
+      refusal("a.xyz", "0 0 0\n"),
+      ": '.xyz' is not a mesh format that Talweg reads: it is a cloud of points; make a surface "
+      "of it first (with MeshLab or CloudCompare); expected " +
+          readable_meshes() + ".");
 }
 
 /// Expects faces that refer only to existing vertices.

@@ -177,7 +177,7 @@ TEST(OddMeshes, FormatsThatAreNotReadGetAdvice) {
   says("a.dae", "export it as .glb, .obj or .ply");
   says("a.blend", "export it as .glb, .obj or .ply");
   says("a.las", "a cloud of points");
-  says("a.unknown", "'.unknown' is no mesh format that Talweg reads; expected");
+  says("a.unknown", "'.unknown' is not a mesh format that Talweg reads; expected");
   says("a", "the file name has no extension; expected");
   try {
     read_curves("a.vtu", "x");

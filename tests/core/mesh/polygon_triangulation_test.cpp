@@ -202,7 +202,7 @@ TEST(PolygonTriangulation, CrossingPolygonsStayFans) {
     EXPECT_EQ(lists.triangles, fan);
     EXPECT_EQ(lists.polygon_shapes.crossing, 1U);
   }
-  // Without area, at one place, and with a corner that is no number.
+  // Without area, at one place, and with a corner that is not a number.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const Corners& corners : {flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}),
                                  flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}}),

@@ -1,4 +1,4 @@
-"""Times of the tool and of a curve object's values on a large mesh. This program is no test: it prints a
+"""Times of the tool and of a curve object's values on a large mesh. This program is not a test: it prints a
 table.
 
 blender --background --factory-startup --python tests/hosts/blender/million.py -- ADDON.zip MESH.ply

@@ -311,8 +311,8 @@ class Errors(unittest.TestCase):
     def test_numbers_of_curves(self):
         scene.select_edges(self.obj, support.staircase())
         self.refused("Tau of each curve (taus) has 2 values for 1 curves", taus="1 2")
-        self.refused("Tau of each curve: 'much' is no number", taus="much")
-        self.refused("Slack of each curve: '0.5x' is no number", slacks="0.5x")
+        self.refused("Tau of each curve: 'much' is not a number", taus="much")
+        self.refused("Slack of each curve: '0.5x' is not a number", slacks="0.5x")
         self.refused("Slack of each curve", slacks="nan")
         scene.select_edges(self.obj, support.staircase())
         self.assertEqual(bpy.ops.talweg.smooth_edges(taus="2", slacks=""), {"FINISHED"})

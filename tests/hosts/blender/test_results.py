@@ -258,10 +258,10 @@ class Astray(Results):
                 result = self.smooth(strokes=chosen)
                 starts = [curve.positions[0][1] for curve in result.curves]
                 np.testing.assert_allclose(starts, ys, atol=0.1)
-        self.refused(["'one' is no number or range"], strokes="one")
+        self.refused(["'one' is not a number or range"], strokes="one")
         for wrong in ("4", "2-7", "-5"):
             self.refused(["there is no stroke"], strokes=wrong)
-        self.refused(["'3-1' is no number or range"], strokes="3-1")
+        self.refused(["'3-1' is not a number or range"], strokes="3-1")
 
     def test_errors_and_warnings_name_the_curve_object(self):
         for name, positions in (("Good", line(10)), ("Bad", [[1, 1, 0], [np.nan, 5, 0]])):

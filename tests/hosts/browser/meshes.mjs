@@ -27,7 +27,7 @@ function ball(rings = 24) {
   return { points, faces };
 }
 
-/** A ball with a face twice, which is no surface until repaired. */
+/** A ball with a face twice, which is not a surface until repaired. */
 function twice() {
   const { points, faces } = ball(8);
   return { points, faces: [...faces, faces[20]] };

@@ -39,7 +39,7 @@ function drawn(edit, closed) {
   return edit('drawing');
 }
 
-/** The same drawing painted: many points that are no way-points. */
+/** The same drawing painted: many points that are not way-points. */
 function painted(call, edit) {
   const [line] = call('draw', [drawn(edit, true)]);
   edit('clear');

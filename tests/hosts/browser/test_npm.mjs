@@ -110,8 +110,8 @@ export async function defectsAndRepair() {
 async function refusesArrays() {
   const say = async (positions, indices, kind, message) =>
     assert.rejects(openMesh(positions, indices), { name: 'TalwegError', kind, message });
-  await say(null, triangles, 'usage', /^The positions are no array/);
-  await say('000', triangles, 'usage', /^The positions are no array/);
+  await say(null, triangles, 'usage', /^The positions are not an array/);
+  await say('000', triangles, 'usage', /^The positions are not an array/);
   await say(corners.slice(1), triangles, 'usage', /^There are 17 positions: give three for each vertex/);
   await say(corners, [], 'usage', /^There are 0 indices/);
   await say(corners.with?.(7, NaN) ?? Object.assign([...corners], { 7: NaN }), triangles, 'mesh',
@@ -137,7 +137,7 @@ function refusesCurves(mesh) {
 
 function refusesArguments(mesh, drawn) {
   const say = (call, message) => assert.throws(call, { name: 'TalwegError', kind: 'usage', message });
-  say(() => mesh.smooth(null), /^The curves are no array/);
+  say(() => mesh.smooth(null), /^The curves are not an array/);
   say(() => mesh.smooth([{}]), /^Curve 0 has no list of points/);
   say(() => mesh.smooth(drawn, { Tau: 1 }), /^There is no option Tau: the options are tau, /);
   say(() => mesh.smooth(drawn, { tau: NaN }), /^The option tau is NaN: give a number of 0 or more\.$/);

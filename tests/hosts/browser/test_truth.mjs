@@ -122,7 +122,7 @@ export async function aCurveThatSeparatesNothingHasItsName() {
   assert.doesNotMatch(await page.text('told'), /curve 0/i);
 }
 
-/** A leg from a stroke to a click is no gap. */
+/** A leg from a stroke to a click is not a gap. */
 export async function strokesAndClicks() {
   const page = await withMesh();
   const [a, b, c, d] = await around(page);

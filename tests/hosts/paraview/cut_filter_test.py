@@ -305,7 +305,7 @@ class Measure(Case):
         filter = pv.TalwegMeasure(Mesh=source(sheet()), Curve=curves(LINE, LOOP))
         rows = self.table(filter)
         self.assertEqual(min(rows[0], key=str.lower), "# curve")  # sorted first with any treatment of case
-        # Entries that are no measures of curves are in the field data, and every cell has a number.
+        # Entries that are not measures of curves are in the field data, and every cell has a number.
         for row in rows:
             self.assertNotIn("faces", row)
             for name, value in row.items():

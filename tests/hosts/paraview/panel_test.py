@@ -49,7 +49,7 @@ class Panel(unittest.TestCase):
         mesh, curve = pv.Sphere(), pv.Line()
         drawing = {"Curve", "CurveIds"}
         smooth = {"DistanceField", "SlackUsed", "DeviationReached"}
-        self.filters = [  # (plugin, filter, properties that are no parameters)
+        self.filters = [  # (plugin, filter, properties that are not parameters)
             ("talweg.smooth", pv.TalwegSmoothPoints(Mesh=mesh), smooth | {"Points", "Closed"}),
             ("talweg.smooth", pv.TalwegSmoothVertices(Mesh=mesh), smooth | {"PointIds"}),
             ("talweg.smooth", pv.TalwegSmoothCurve(Mesh=mesh, Curve=curve), smooth | drawing),

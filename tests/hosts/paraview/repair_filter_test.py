@@ -1,4 +1,4 @@
-"""Talweg Repair: a mesh that is no surface becomes one, with its arrays and a report of the changes."""
+"""Talweg Repair: a mesh that is not a surface becomes one, with its arrays and a report of the changes."""
 
 import unittest
 

@@ -14,7 +14,7 @@ from support import (Case, Said, cell_values, column, counts, lines_of, output, 
 
 N = 24
 POINTS, TRIANGLES = wavy_sheet(N)
-# A wave with a jagged line; consecutive vertices are no neighbours.
+# A wave with a jagged line; consecutive vertices are not neighbours.
 ZIGZAG = [N * row + 11 + round(6 * math.sin(row / 3)) + (1 if row % 2 else -1)
           for row in range(2, N - 2)]
 LOOP = [N * 4 + 4, N * 4 + 16, N * 16 + 16, N * 16 + 4]
@@ -546,11 +546,11 @@ class WrongInput(Case):
         for name, value, good, sentence in (
                 ("Tau", -1, 1, "Tau must be >= 0, not -1."),
                 ("MaxDeviation", 0, -1, "Max Deviation must be > 0, not 0."),
-                ("Pin", "3 x", "", "'x' is no vertex number"),
+                ("Pin", "3 x", "", "'x' is not a vertex number"),
                 ("Pin", "99999", "", "99999"),
                 ("PointIds", "1 2 99999", TEXT, "99999"),
                 ("PointIds", "7", TEXT, "two points"),
-                ("PointIds", "4 4000000000000", TEXT, "'4000000000000' is no vertex number")):
+                ("PointIds", "4 4000000000000", TEXT, "'4000000000000' is not a vertex number")):
             setattr(filter, name, value)
             self.assertIn(sentence, self.error_of(filter))
             setattr(filter, name, good)
@@ -563,11 +563,11 @@ class WrongInput(Case):
                 ("Taus", "0.1", "Taus has 1 values for 2 curves."),
                 ("Taus", "0.1 4 1", "Taus has 3 values for 2 curves."),
                 ("Taus", "1 -3", "Taus must be -1 or >= 0 for curve 1, not -3."),
-                ("Taus", "0.1 much", "Taus: 'much' is no number."),
-                ("Slacks", "0.1 0.2x", "Slacks: '0.2x' is no number."),
+                ("Taus", "0.1 much", "Taus: 'much' is not a number."),
+                ("Slacks", "0.1 0.2x", "Slacks: '0.2x' is not a number."),
                 ("Slacks", "nan 1", "Slacks"),
                 ("Finishes", "0 0.5", "Finishes must be whole."),
-                ("Finishes", "fair taut", "Finishes: 'fair' is no number.")):
+                ("Finishes", "fair taut", "Finishes: 'fair' is not a number.")):
             setattr(filter, name, value)
             self.assertIn(sentence, self.error_of(filter))
             setattr(filter, name, "")

@@ -1,5 +1,5 @@
 """Prints the table of times in docs/paraview.md: processor time of UpdatePipeline, medians of five new
-processes. This program is no test.
+processes. This program is not a test.
 
 pvpython tests/hosts/paraview/times.py      (TALWEG_PARAVIEW: the path of Talweg.so; TALWEG_MESHES: the meshes)
 """

@@ -133,7 +133,7 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(talweg.BadUsage, "face, barycentrics and a position"):
             talweg.write_curves(self.folder / "curve.json", talweg.Curve(self.drawn))
         with self.assertRaises(talweg.Error):
-            talweg.write_curves(self.folder / "curve.txt", self.curve)  # some points are no vertices
+            talweg.write_curves(self.folder / "curve.txt", self.curve)  # some points are not vertices
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["bad.txt"])
 
 

@@ -188,7 +188,7 @@ end_header
             talweg.read_mesh(self.path("none.ply"))
         with self.assertRaisesRegex(talweg.BadFile, "bad.obj, line 2: "):
             talweg.read_mesh(self.written("bad.obj", "v 0 0 0\nv 1 zero 0\n"))
-        with self.assertRaisesRegex(talweg.BadFile, r"'\.vtu' is no mesh format"):
+        with self.assertRaisesRegex(talweg.BadFile, r"'\.vtu' is not a mesh format"):
             talweg.Mesh(self.path("a.vtu"))
         with self.assertRaisesRegex(talweg.BadFile, "does not end in"):
             talweg.write_mesh(self.path("a.vtu"), (vertices, faces))

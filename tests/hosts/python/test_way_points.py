@@ -112,7 +112,7 @@ class WayPoints(unittest.TestCase):
         with self.assertRaisesRegex(talweg.BadUsage, "given, exact, rough"):
             self.smooth(self.drawn, points="sharp")
         with self.assertRaises(talweg.Error):
-            self.smooth(self.drawn, exact=[7])  # 7 is no vertex of the curve
+            self.smooth(self.drawn, exact=[7])  # 7 is not a vertex of the curve
 
     def test_files_and_the_driver(self):
         support.write_obj(self.folder / "mesh.obj", *support.hills())

@@ -390,7 +390,7 @@ TEST(MeshArrays, PointsAtVerticesLieThere) {
   EXPECT_EQ(editing::position_of(mesh, points.at(1)), mesh.positions[29]);
   EXPECT_EQ(editing::position_of(mesh, points.at(3)), mesh.positions[7]);
   EXPECT_EQ(refusal([&] { editing::points_at(mesh, {30}); }),
-            "Vertex 30 is no corner of any face.");
+            "Vertex 30 is not a corner of any face.");
 }
 
 TEST(MeshArrays, TellsHowLargeItIs) {

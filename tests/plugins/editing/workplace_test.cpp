@@ -84,7 +84,7 @@ TEST(Workplace, EveryCurveIsDrawnAndOnlyOnce) {
   tube.editor.close_curve();
   tube.click({Tube::vertex(20, 8)});
   const editing::Outcome first = work(tube.place, Task::kDraw, tube.editor.drawing());
-  ASSERT_EQ(first.results.curves.size(), 2U) << "a single point is no curve yet";
+  ASSERT_EQ(first.results.curves.size(), 2U) << "a single point is not a curve yet";
   EXPECT_TRUE(first.results.curves[1].closed);
   tube.click({Tube::vertex(25, 8)});
   const editing::Outcome second = work(tube.place, Task::kDraw, tube.editor.drawing());

@@ -73,7 +73,7 @@ class Interface : public testing::TestWithParam<std::string> {
     const talweg_curve* list[] = {&curve};
     expect(TALWEG_UNSUPPORTED, plugin_.set_curves(instance_, list, 1), "curves");
   }
-  /// Runs a plugin that accepted a mesh that is no surface.
+  /// Runs a plugin that accepted a mesh that is not a surface.
   void inspect(const char* what) {
     talweg_sink sink = {};
     sink.size = sizeof sink;
@@ -356,7 +356,7 @@ TEST_P(Interface, OnlyFieldsOfCurvesWithKnownNamesAreRead) {
   marks[1] = -7;
   expect(TALWEG_BAD_USAGE, set(), "no mark");
   marks[1] = std::nan("");
-  expect(TALWEG_BAD_USAGE, set(), "a mark that is no number");
+  expect(TALWEG_BAD_USAGE, set(), "a mark that is not a number");
   marks[1] = TALWEG_MARK_PAINTED;
   --exact.values.rows;
   expect(TALWEG_BAD_USAGE, set(), "too few marks");

@@ -77,7 +77,7 @@ TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {
   EXPECT_EQ(sentence_of([&] {
               instance.set_mesh(host::view(xyz.data(), 3, 3), host::view(one.data(), 1, 3));
             }),
-            "Vertex 1 has a coordinate that is no finite number.");
+            "Vertex 1 has a coordinate that is not a finite number.");
 }
 
 /// OpenMesh itself decides which lists of faces are expected to be refused.
@@ -177,7 +177,7 @@ TEST_F(OpenMeshPlugin, BadCurvesAreRefused) {
   EXPECT_EQ(refusal_of(curve), "Curve 1 has 2 points, and 1 marks in the field exact.");
   curve = {};
   curve.positions = {{0, 0, INFINITY}};
-  EXPECT_EQ(refusal_of(curve), "Curve 1 has a coordinate at point 0 that is no finite number.");
+  EXPECT_EQ(refusal_of(curve), "Curve 1 has a coordinate at point 0 that is not a finite number.");
   host::Instance without(*tp::Adapter<Silent>::plugin(), services);
   set_mesh(without, lists);
   EXPECT_EQ(sentence_of([&] { without.set_curves({at({0, 1})}); }), "This plugin takes no curves.");

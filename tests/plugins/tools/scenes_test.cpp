@@ -185,7 +185,8 @@ TEST(Patients, HaveVesselsOfTenSizesEachOfItsOwnShape) {
     const DemoScene scene = patients.scene(i);
     const double wanted = 5000.0 * static_cast<double>(i + 1);
     EXPECT_NEAR(static_cast<double>(scene.mesh.triangles.size()), wanted, 0.1 * wanted) << i;
-    EXPECT_EQ(components_of(surface_of(scene.mesh)).count, 1U) << i;  // refuses what is no surface
+    EXPECT_EQ(components_of(surface_of(scene.mesh)).count, 1U)
+        << i;  // refuses what is not a surface
     EXPECT_TRUE(scene.through.closed);
     EXPECT_GE(scene.through.vertices.size(), 3U);
   }

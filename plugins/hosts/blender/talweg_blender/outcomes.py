@@ -19,7 +19,7 @@ OUTPUT = bpy.props.EnumProperty(name="Result", default="CURVE", items=ITEMS)
 def check(output, repair):
     """Refuses to cut a mesh by a curve on its repaired copy.
 
-    :raises talweg.BadUsage: if the output needs a cut of a mesh that is no surface.
+    :raises talweg.BadUsage: if the output needs a cut of a mesh that is not a surface.
     """
     if repair and output != "CURVE":
         raise talweg.BadUsage("On a repaired copy only curve objects can be made; to cut the mesh, use "

@@ -92,7 +92,7 @@ def _numbers(parameter, text):
         try:
             result.append(float(word))
         except ValueError:
-            raise talweg.BadUsage(f"{parameter.label}: '{word}' is no number.") from None
+            raise talweg.BadUsage(f"{parameter.label}: '{word}' is not a number.") from None
     return result or None
 
 

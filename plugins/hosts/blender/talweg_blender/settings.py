@@ -37,7 +37,7 @@ class TALWEG_PG_settings(bpy.types.PropertyGroup):
 
 
 def own(changed):
-    """Properties that are no parameters of the plugin."""
+    """Properties that are not parameters of the plugin."""
     update = {"update": changed} if changed else {}
     return {
         "thickness": bpy.props.FloatProperty(
@@ -50,7 +50,7 @@ def own(changed):
                    ("TURNING", "Turning", "How sharply the curve turns on the surface")]),
         "repair": bpy.props.BoolProperty(
             name="On a repaired copy", default=False, description="Smooth on a repaired copy of a mesh "
-            "that is no surface; the mesh itself stays as it is", **update),
+            "that is not a surface; the mesh itself stays as it is", **update),
     }
 
 

@@ -9,7 +9,7 @@ def without_repetitions(made, touched, parts, single):
     or an oriented edge of another part.
 
     Two polygons on either side of a nearly straight line may both get a triangle along it. Such a mesh would
-    be no surface and could not be cut again.
+    not be a surface and could not be cut again.
 
     :param touched: the triangles of ``made`` that the parts consist of.
     :param single: a function that makes single triangles of a part.

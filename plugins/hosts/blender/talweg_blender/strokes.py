@@ -137,7 +137,7 @@ def _numbers(text, count):
             if high < low:
                 raise ValueError
         except ValueError:
-            raise talweg.BadUsage(f"Strokes: '{word}' is no number or range of strokes.") from None
+            raise talweg.BadUsage(f"Strokes: '{word}' is not a number or range of strokes.") from None
         for number in (low, high):
             if not -count <= number < count:
                 raise talweg.BadUsage(f"Strokes: there is no stroke {number}; there are {count}, from 0.")

@@ -42,7 +42,7 @@ class Surface:
             self.arrays.vertices.tobytes() + self.arrays.triangles.tobytes()).hexdigest())
 
     def mesh(self, repair=False):
-        """The talweg.Mesh, repaired on request. :raises talweg.BadMesh: if it is no surface."""
+        """The talweg.Mesh, repaired on request. :raises talweg.BadMesh: if it is not a surface."""
         return self._with_workspace(repair)[0]
 
     def _with_workspace(self, repair):

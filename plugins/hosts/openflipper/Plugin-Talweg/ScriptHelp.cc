@@ -60,7 +60,7 @@ std::vector<ScriptSlot> ScriptHelp::all() {
       {"undoEdit(int)", tr("Takes the last edit back."), "meshId", mesh},
       {"redoEdit(int)", tr("Repeats the edit that was taken back."), "meshId", mesh},
       {"repairMesh(int)",
-       tr("Draws on the mesh as if it was repaired, if it is no surface; the mesh itself is "
+       tr("Draws on the mesh as if it was repaired, if it is not a surface; the mesh itself is "
           "unchanged."),
        "meshId", mesh},
       {"smooth(int)", tr("Waits for the smoothed curves and returns their polylines' ids."),

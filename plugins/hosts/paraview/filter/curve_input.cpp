@@ -61,7 +61,7 @@ std::uint32_t vertex_at(vtkDataArray& array, vtkIdType point) {
   if (!is_index || value != static_cast<double>(static_cast<std::uint32_t>(value))) {
     throw std::runtime_error("The array " + std::string(array.GetName()) + " has " +
                              std::to_string(value) + " at point " + std::to_string(point) +
-                             ", which is no vertex number.");
+                             ", which is not a vertex number.");
   }
   return static_cast<std::uint32_t>(value);
 }

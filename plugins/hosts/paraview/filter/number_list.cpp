@@ -22,7 +22,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// False if the word is no number, or has letters after the number.
+/// False if the word is not a number, or has letters after the number.
 template <class Number>
 bool parse(std::string_view word, Number& number) {
   const char* end = word.data() + word.size();

@@ -16,8 +16,8 @@ std::string property_name(std::string_view id);
 std::string panel_name(std::string_view id);
 
 /// A sentence of a plugin with its parameters named as in the panel. The sentence may name a
-/// parameter by label and id, "Largest deviation (max_deviation)", or by an id that is no English
-/// word: max_deviation.
+/// parameter by label and id, "Largest deviation (max_deviation)", or by an id that is not an
+/// English word: max_deviation.
 std::string in_words_of_panel(std::string sentence, const talweg_plugin& plugin);
 
 }  // namespace talweg::paraview

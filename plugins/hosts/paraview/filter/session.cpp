@@ -168,7 +168,7 @@ void Session::apply_settings() {
   }
 }
 
-/// Applies parameters about the mesh before the mesh is set, since a mesh that is no surface is
+/// Applies parameters about the mesh before the mesh is set, since a mesh that is not a surface is
 /// refused without its repair. A change opens the mesh again, and sets the curves again, since
 /// edges may have changed.
 void Session::apply_settings_of_meshes() {

@@ -75,7 +75,7 @@ class Session {
   void apply_settings();
   host::Results run(const host::Wanted& wanted);
 
-  /// Whether the last mesh, which was taken or refused, is no surface but can be repaired by the
+  /// Whether the last mesh, which was taken or refused, is not a surface but can be repaired by the
   /// plugin talweg.repair.
   [[nodiscard]] bool can_be_repaired();
 
@@ -83,7 +83,7 @@ class Session {
   /// The array of the mesh that a parameter names; null if it names none.
   [[nodiscard]] vtkDataArray* array_of(const std::string& id) const;
   [[nodiscard]] const talweg_plugin& plugin() const;
-  /// The plugin's instance, for parameters that are no properties and for extensions about meshes.
+  /// The plugin's instance, for parameters that are not properties and for extensions about meshes.
   host::Instance& instance();
   /// A counter of changes before the stage of the run: of meshes, curves and parameters of these
   /// stages.

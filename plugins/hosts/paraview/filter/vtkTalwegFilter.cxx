@@ -180,7 +180,7 @@ int vtkTalwegFilter::TakeCurves(vtkDataObject* curves, vtkDataObject* others) {
   return static_cast<int>(common.Others);
 }
 
-/// Blocks of curves are no meshes, so the filter must not run once for each.
+/// Blocks of curves are not meshes, so the filter must not run once for each.
 int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkPointSet");
   if (port == 0) return 1;
@@ -192,7 +192,7 @@ int vtkTalwegFilter::FillInputPortInformation(int port, vtkInformation* info) {
 void vtkTalwegFilter::WorkOn(vtkDataObject& mesh, vtkDataObject* curves, vtkDataObject* others,
                              vtkInformationVector& outputs) {
   auto* data = vtkDataSet::SafeDownCast(&mesh);
-  if (data == nullptr) throw std::runtime_error("The input is no data set.");
+  if (data == nullptr) throw std::runtime_error("The input is not a data set.");
   this->Work(*data, curves, others, outputs);
 }
 
@@ -240,7 +240,7 @@ int vtkTalwegFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     if (!note.empty()) this->Log(TALWEG_LOG_WARNING, note.c_str());
   } catch (const talweg::host::Error& error) {
     clear();
-    const bool cancelled = error.status() == TALWEG_CANCELLED;  // a cancelled run is no error, and
+    const bool cancelled = error.status() == TALWEG_CANCELLED;  // a cancelled run is not an error, and
                                                                 // has no result
     const std::string sentence =
         advice(this->InWordsOfPanel(error.what()), error.status(), this->GetSession());

@@ -28,7 +28,7 @@ def readable(values: Any, columns: int, what: str, error: Type[Error] = BadUsage
     are not contiguous or run backwards.
 
     :param columns: 1 for shape (n,) or (n, 1), else for shape (n, columns).
-    :raises error: for another shape, or for values that are no real numbers.
+    :raises error: for another shape, or for values that are not real numbers.
     """
     try:
         array = np.asarray(values)

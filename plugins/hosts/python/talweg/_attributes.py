@@ -30,7 +30,7 @@ def checked(given: Mapping[str, ArrayLike], rows: Tuple[int, ...], what: str) ->
 
     :param rows: the beginning of their shapes: (vertices,), (faces,) or (faces, 3).
     :param what: "vertex", "face" or "corner".
-    :raises BadUsage: for another shape, or values that are no numbers; the sentence names the attribute.
+    :raises BadUsage: for another shape, or values that are not numbers; the sentence names the attribute.
     """
     result: Attributes = {}
     for name, values in given.items():

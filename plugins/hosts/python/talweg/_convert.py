@@ -21,7 +21,7 @@ _COLORS, _UV = "colors", "uv"
 def parts_of(mesh: Any) -> Parts:
     """The lists of another package's mesh.
 
-    :raises BadMesh: if the object is no mesh, or has neither triangles nor polygons.
+    :raises BadMesh: if the object is not a mesh, or has neither triangles nor polygons.
     """
     polydata = _vtk.polydata_of(mesh)
     if polydata is not None:

@@ -26,7 +26,7 @@ class Curve:
     A result has all of these members. Each point and the next lie in one triangle, which ``faces`` names.
     """
 
-    vertices: Optional[ArrayLike] = None  #: (n,) vertex numbers; in results -1 at points that are no vertex
+    vertices: Optional[ArrayLike] = None  #: (n,) vertex numbers; in results -1 at points that are not a vertex
     faces: Optional[ArrayLike] = None  #: (n,) triangle numbers
     barycentrics: Optional[ArrayLike] = None  #: (n, 3), >= 0, rows sum to 1
     positions: Optional[ArrayLike] = None  #: (n, 3), mesh units

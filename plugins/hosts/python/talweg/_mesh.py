@@ -35,7 +35,7 @@ class Mesh:
     :param repair: True, or some of the steps "weld", "drop", "orient" and "split" as "weld,drop": the mesh is
         repaired to a surface when it is opened. Curves, results and attributes keep the numbering of the
         given arrays.
-    :raises BadMesh: if the mesh is no oriented manifold; the sentence says where.
+    :raises BadMesh: if the mesh is not an oriented manifold; the sentence says where.
     :raises BadUsage: for an attribute of another shape, or one without numbers.
 
     Arrays of float32, float64, and 32- and 64-bit integers with any stride of rows are not copied in Python;
@@ -248,7 +248,7 @@ def read_mesh(path: Path, *, repair: Union[None, bool, str] = None, progress: An
     :param repair: as for ``Mesh``.
     :param plugin: the plugin that opens the mesh: "talweg.cut" if the mesh will be cut.
     :raises BadFile: if the file cannot be read; with file, line, and the expected text.
-    :raises BadMesh: if the mesh is no surface; inspect(path) lists all defects.
+    :raises BadMesh: if the mesh is not a surface; inspect(path) lists all defects.
     """
     return Mesh(path, repair=repair, progress=progress, plugin=plugin)
 

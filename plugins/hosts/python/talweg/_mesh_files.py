@@ -55,7 +55,7 @@ def read_parts(path: Path) -> Parts:
 
 
 def _text(given: bytes) -> str:
-    return given.decode(errors="surrogateescape")  # bytes of the file that are no UTF-8 come back unchanged
+    return given.decode(errors="surrogateescape")  # bytes of the file that are not UTF-8 come back unchanged
 
 
 def _bytes(text: str) -> bytes:

@@ -276,7 +276,7 @@ def repair(mesh: Any, steps: Union[bool, str] = True, *, progress: Any = None,
     :param mesh: as for cut(); it need not be a surface. Attributes are copied to the new vertices and faces.
     :param steps: True, or some of "weld", "drop", "orient" and "split" as "weld,drop"; with
         "weld=1e-4" vertices within 1e-4 mesh units of others are welded, too.
-    :raises BadMesh: if the mesh is no surface after these steps.
+    :raises BadMesh: if the mesh is not a surface after these steps.
     """
     chosen = _repair_steps.checked(steps)
     if not chosen:

@@ -82,7 +82,7 @@ function pointOf(place: Place, where: string, faces: number, exact: number): Poi
 
 /** The engine's drawing. Throws TalwegError for curves that are not on the mesh, and for other options. */
 export function drawingOf(curves: Drawn[], options: Options, faces: number): Pick<Drawing, 'unfinished' | 'settings'> {
-  if (!Array.isArray(curves)) throw new TalwegError('The curves are no array: give a list of curves.', 'usage');
+  if (!Array.isArray(curves)) throw new TalwegError('The curves are not an array: give a list of curves.', 'usage');
   const checked = curves.map((curve, c) => {
     if (!Array.isArray(curve?.points)) {
       throw new TalwegError(`Curve ${c} has no list of points: give { points, closed }.`, 'usage');

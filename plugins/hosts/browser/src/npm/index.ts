@@ -23,7 +23,7 @@ function keep(module: Module): void { idle ??= module; }
 /**
  * Opens a mesh of `positions`, three numbers for each vertex, and `indices`, three vertices from 0 for each
  * triangle, counterclockwise seen from outside. Both are copied. `repair` repairs a mesh on which curves cannot
- * be drawn otherwise; faces keep their indices. Throws TalwegError for arrays that are no mesh, and for a mesh
+ * be drawn otherwise; faces keep their indices. Throws TalwegError for arrays that are not a mesh, and for a mesh
  * with defects.
  */
 export async function openMesh(

@@ -7,7 +7,7 @@ const vertexBytes = 24, faceBytes = 13;
 export function lengthOf(name: string, numbers: ArrayLike<number>): number {
   const length: unknown = (numbers as ArrayLike<number> | null | undefined)?.length;
   if (typeof numbers === 'object' && typeof length === 'number') return length;
-  throw new TalwegError(`The ${name} are no array: give a typed array, or an array of numbers.`, 'usage');
+  throw new TalwegError(`The ${name} are not an array: give a typed array, or an array of numbers.`, 'usage');
 }
 
 function count(name: string, numbers: ArrayLike<number>, of: string): number {
@@ -39,7 +39,7 @@ function writeFaces(view: DataView, at: number, indices: ArrayLike<number>, vert
   }
 }
 
-/** A binary PLY file with vertices as doubles. Throws TalwegError for arrays that are no mesh. */
+/** A binary PLY file with vertices as doubles. Throws TalwegError for arrays that are not a mesh. */
 export function plyOf(positions: ArrayLike<number>, indices: ArrayLike<number>): Uint8Array {
   const vertices = count('positions', positions, 'vertex'), faces = count('indices', indices, 'triangle');
   const header = new TextEncoder().encode('ply\nformat binary_little_endian 1.0\n'

@@ -1,7 +1,7 @@
 import { EngineError } from '../engine/module.js';
 
 /**
- * The subject of an error: `usage` a wrong argument, `mesh` a mesh that is no surface to draw on, `curve` a
+ * The subject of an error: `usage` a wrong argument, `mesh` a mesh that is not a surface to draw on, `curve` a
  * curve that does not lie on it or is invalid, `file` a file that cannot be written or talweg.wasm that
  * cannot be loaded, `numerical` an equation that could not be solved, `memory` too little memory, `internal`
  * a fault of the library.

@@ -9,7 +9,7 @@ export async function packed(bytes: Uint8Array): Promise<string> {
   return btoa(text);
 }
 
-/** Throws for text that is no output of packed(). */
+/** Throws for text that is not an output of packed(). */
 export async function unpacked(text: string): Promise<Uint8Array> {
   const zipped = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
   return through(zipped, new DecompressionStream('gzip'));

@@ -30,15 +30,15 @@ export function textOf({ mesh, ...others }: Session, bytes: string): string {
   return JSON.stringify({ format, version: 1, mesh: mesh ? { ...mesh, bytes } : null, ...others });
 }
 
-/** Throws Error with a sentence for text that is no session. */
+/** Throws Error with a sentence for text that is not a session. */
 export async function sessionOf(name: string, text: string): Promise<Session> {
   let read: Record<string, unknown>;
   try {
     read = JSON.parse(text) as Record<string, unknown>;
   } catch {
-    throw new Error(`${name} is no session of Talweg: it is not JSON.`);
+    throw new Error(`${name} is not a session of Talweg: it is not JSON.`);
   }
-  if (read.format !== format) throw new Error(`${name} is no session of Talweg: its "format" is not "${format}".`);
+  if (read.format !== format) throw new Error(`${name} is not a session of Talweg: its "format" is not "${format}".`);
   if (read.version !== 1) throw new Error(`${name} has version ${String(read.version)}; this page reads version 1.`);
   const { mesh, drawing, camera, show } = read as unknown as Omit<Session, 'mesh'> & {
     mesh: (Opening & { name: string; bytes: string; faces?: number }) | null;

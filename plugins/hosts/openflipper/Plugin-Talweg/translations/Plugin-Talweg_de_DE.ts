@@ -389,7 +389,7 @@
         <translation>Macht sie wieder.</translation>
     </message>
     <message>
-        <source>Draws on the mesh as if it was repaired, if it is no surface; the mesh itself is unchanged.</source>
+        <source>Draws on the mesh as if it was repaired, if it is not a surface; the mesh itself is unchanged.</source>
         <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
     </message>
     <message>
