@@ -31,7 +31,7 @@ bool parse(std::string_view word, Number& number) {
 }
 
 [[noreturn]] void refuse(std::string_view word, std::string_view what, const char* wanted) {
-  throw std::runtime_error(std::string(what) + ": '" + std::string(word) + "' is no " + wanted +
+  throw std::runtime_error(std::string(what) + ": '" + std::string(word) + "' is not a " + wanted +
                            ".");
 }
 
