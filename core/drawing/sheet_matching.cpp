@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <unordered_set>
 #include <utility>
@@ -81,7 +82,9 @@ class Matching {
  public:
   Matching(const SurfaceMesh& mesh, const ClosestPoint& closest, std::span<const Point> positions,
            std::span<const Candidate> nearest)
-      : steps_(mesh) {
+      : steps_(mesh),
+        surface_(&mesh.surface()),
+        components_(components_of(mesh.surface()).of_vertex) {
     // A point may lie exactly on the wrong sheet, so the reach also depends on the usual distance
     // of all points.
     std::vector<double> off;
@@ -93,6 +96,9 @@ class Matching {
       const double reach = kReachOfDistance * std::max(nearest[k].distance, *usual) +
                            kReachOfEdge * mesh.mean_edge_length();
       candidates_.push_back(closest.on_sheets(positions[k], reach, kMostSheets));
+      const double step = k > 0 ? (positions[k] - positions[k - 1]).norm() : 0;
+      to_component_ += kJumpOfEdge * mesh.mean_edge_length() + kJumpOfStep * step +
+                       (1 + 2 * kJumpOfStep) * reach;
     }
   }
 
@@ -106,7 +112,7 @@ class Matching {
         double least = std::numeric_limits<double>::infinity();
         std::size_t from = 0;
         for (std::size_t i = 0; i < candidates_[k - 1].size(); ++i) {
-          const double own = cost[i] + steps_.cost(candidates_[k - 1][i], to);
+          const double own = cost[i] + step_cost(candidates_[k - 1][i], to);
           if (own < least) {
             least = own;
             from = i;
@@ -121,6 +127,12 @@ class Matching {
   }
 
  private:
+  [[nodiscard]] std::uint32_t component(const Candidate& candidate) const {
+    return components_[surface_->corners(candidate.face)[0].index()];
+  }
+  [[nodiscard]] double step_cost(const Candidate& from, const Candidate& to) const {
+    return component(from) == component(to) ? steps_.cost(from, to) : to_component_;
+  }
   [[nodiscard]] std::vector<Candidate> traced_back(
       const std::vector<double>& cost,
       const std::vector<std::vector<std::size_t>>& came_from) const {
@@ -135,6 +147,9 @@ class Matching {
   }
 
   Steps steps_;
+  const Surface* surface_;
+  std::vector<std::uint32_t> components_;  ///< of vertices
+  double to_component_ = 0;  ///< more than the cost of any matching within a component
   std::vector<std::vector<Candidate>> candidates_;
 };
 

@@ -25,9 +25,10 @@ struct SheetMatching {
 /// (Newson & Krumm 2009). Each position has a candidate on each sheet near it. The chosen
 /// candidates have the least sum of distances and of costs of jumps. A step is a jump if no path
 /// over the faces joins its ends inside a ball about both; a jump costs four mean edges and twice
-/// its length. Steps over more than 16 mean edges are not examined. `nearest` has the nearest
-/// points, one per position; they are the answer if all steps between them have paths. O(faces near
-/// the polyline).
+/// its length. A step to another component of the mesh, which no path reaches, costs more than all
+/// others together. Steps over more than 16 mean edges are no jumps. `nearest` has the nearest
+/// points, one per position; they are the answer if no step between them is a jump. O(faces near
+/// the polyline), and O(mesh) if there is a jump.
 SheetMatching matched_to_sheets(const SurfaceMesh& mesh, const ClosestPoint& closest,
                                 std::span<const Point> positions, bool closed,
                                 std::vector<ClosestPoint::Result> nearest);

@@ -312,6 +312,30 @@ TEST(SnappingToThinWalls, PutsAllPointsOnOneSide) {
   }
 }
 
+/// Two plates without thickness, 0.1 apart, which no path joins.
+TEST(SnappingToThinWalls, KeepsAStrokeOnOneComponent) {
+  MeshLists lists = test::grid(12, 12);
+  const std::vector<Point> above = lists.points;
+  for (const Point& p : above) lists.points.push_back(p - Point(0, 0, 0.1));
+  for (std::size_t f = 0, faces = lists.triangles.size(); f < faces; ++f) {
+    Triangle t = lists.triangles[f];
+    for (std::uint32_t& v : t) v += static_cast<std::uint32_t>(above.size());
+    lists.triangles.push_back(t);
+  }
+  const SurfaceMesh mesh = SurfaceMesh::open(lists);
+  // The last third lies below the lower plate, for so long that its distances from the upper plate
+  // add up to more than a jump costs.
+  std::vector<Point> points;
+  for (double x = 1; x <= 11; x += 0.02) points.emplace_back(x, 6, x < 7.5 ? 0 : -0.11);
+  const SnappedCurve snapped = snap(mesh, {false, points, {}});
+  for (const SurfacePoint& point : snapped.points) {
+    EXPECT_NEAR(mesh.position(point).z(), 0, 1e-12);
+  }
+  ASSERT_EQ(snapped.notes.size(), 1U);
+  EXPECT_NE(snapped.notes[0].find("put on the side of the rest"), std::string::npos)
+      << snapped.notes[0];
+}
+
 TEST(SnappingToThinWalls, FollowsACurveAroundTheRim) {
   const SurfaceMesh mesh = SurfaceMesh::open(plate());
   std::vector<Point> points;
