@@ -23,8 +23,8 @@ struct ChainJoin {
   std::uint32_t first = 0, count = 0;  ///< its strip in SampleChain::crossed
   bool bends = false;                  ///< whether it bends at a vertex
   double to_first_bend = 0, from_last_bend = 0;  ///< lengths; the whole length if nothing bends
-  /// The turns at the first and at the last bend, which may be the same bend, on the side with the
-  /// smaller turn; radians, positive to the left.
+  /// The turns at the first and at the last bend, which may be the same bend: the least of the
+  /// turns on both sides and their mean; radians, positive to the left.
   double first_turn = 0, last_turn = 0;
   bool bends_once = false;
   std::uint32_t stretch = 0;  ///< its number, with freed samples counted as fixed

@@ -158,8 +158,9 @@ void lead_with(SmoothingReport& report, const std::vector<std::string>& sentence
 /// The largest distance between a result and its drawing, in either direction.
 struct Farthest {
   double at_least = HUGE_VAL;  ///< mesh units; infinite if not measured or not connected
-  /// Mesh units: equal to at_least if the distance is exact; infinite if it was measured through
-  /// space, because the distance along the surface may be arbitrarily longer.
+  /// Mesh units: equal to at_least if the distance is exact and no point is missed; infinite if the
+  /// distance, or that of a missed point, was measured through space, because the distance along
+  /// the surface may be arbitrarily longer.
   double at_most = HUGE_VAL;
   Point at = Point::Constant(HUGE_VAL);
   FarthestOf of = FarthestOf::kNothing;
