@@ -187,6 +187,7 @@ void turn_back(const CurveOrder& order, std::size_t given_points, CleanedCurve& 
     if (place < 0) place += n;
     if (place >= n) place -= n;
   }
+  curve.measures = turned_back(curve.measures, order, given_points);
   if (!order.reversed) return;
   std::reverse(curve.curve.points.begin(), curve.curve.points.end());
   std::reverse(curve.places.begin(), curve.places.end());
@@ -253,10 +254,9 @@ void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
   report.points_before = given.points.size();
   report.left_out = curve.left_out;
   report.left_out_max = curve.farthest;
-  report.before = curve.measures;
-  if (ground != nullptr) {
-    report.before = turns_on_ground(*ground, given, report.edge_length_near, curve.measures);
-  }
+  report.before = ground == nullptr
+                      ? curve.measures
+                      : turns_on_ground(*ground, given, report.edge_length_near, curve.measures);
 }
 
 namespace {
