@@ -172,7 +172,11 @@ std::vector<VertexId> EdgeDijkstra::between(std::span<const PathEnd> starts,
   poller_ = ProgressPoller(progress, "draw");
   ++drawing_;
   const VertexId end = search({starts, ends});
-  if (!end.valid()) no_path(1, starts.front().vertex, ends.front().vertex);
+  if (!end.valid()) {
+    throw Error(ErrorCode::kBadCurve,
+                "No path joins the points near vertices " + text(starts.front().vertex) + " and " +
+                    text(ends.front().vertex) + ": they lie on different components of the mesh.");
+  }
   return path_to(end);
 }
 
