@@ -155,7 +155,8 @@ void EdgeDijkstra::check(std::span<const VertexId> through) const {
   for (const VertexId v : through) {
     if (v.index() >= surface_->vertex_count()) {
       throw Error(ErrorCode::kBadCurve, "Way-point " + text(v) + " is not a vertex: the mesh has " +
-                                            std::to_string(surface_->vertex_count()) + ".");
+                                            std::to_string(surface_->vertex_count()) +
+                                            " vertices, counted from 0.");
     }
   }
   std::vector<VertexId> sorted(through.begin(), through.end());
