@@ -8,6 +8,7 @@
 
 #include "talweg/core/drawing/cone_detour.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
 #include "talweg/intrinsic/flips/point_insertion.hpp"
@@ -20,8 +21,9 @@ std::string gap_warning(const JoinedGaps& gaps) {
   if (gaps.count == 0) return "";
   return fmt::format(
       "{} {} of the drawing, over four times as long as its usual segment, {} joined straight "
-      "over the surface, the longest over {:.3g} mesh units.",
-      gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
+      "over the surface, the longest over {}.",
+      gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were",
+      mesh_units_text(gaps.longest));
 }
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "talweg/core/drawing/surface_normals.hpp"
 #include "talweg/core/io/text_words.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -74,8 +75,8 @@ ReadyCurve ready(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_t
 }
 
 std::string spacing_text(const ReadyCurve& curve) {
-  return fmt::format("{} points, {:.6g} mesh units apart", curve.curve.positions.size(),
-                     curve.spacing.value_or(0));
+  return fmt::format("{} points, {} apart", curve.curve.positions.size(),
+                     mesh_units_text(curve.spacing.value_or(0), 6));
 }
 
 }  // namespace talweg::driver
