@@ -49,8 +49,8 @@ EvenPoints even_points(const std::string& text, const CoordinateFrame& frame) {
 
 void add_point_options(CLI::App& app, WrittenPoints& points) {
   app.add_option("--resample", points.resample,
-                 "Write evenly spaced points instead of the curve's own: their number (50), or "
-                 "their spacing (2.5 mesh units, or 2mm)");
+                 "Write evenly spaced points instead of the curve's own: their number, such as 50, "
+                 "or their spacing, such as 2.5 (mesh units) or 2mm");
   app.add_flag("--normals", points.normals,
                "Also write the surface's normal at each point (.vtp, .vtk, .ply, .json, and as "
                "orientation in .mrk.json)");
