@@ -39,7 +39,8 @@ void append_corners(const Surface& surface, const SurfacePoint& point, FaceId fa
   }
 }
 
-/// The vertices nearest to a point: itself, or the corners of the faces in which the point lies.
+/// The vertices at which edge paths to a point may end: the vertex at which the point lies, or the
+/// corners of its faces.
 std::vector<PathEnd> corners_around(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return {{v->vertex}};
   std::vector<PathEnd> ends;
