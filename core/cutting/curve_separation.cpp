@@ -102,7 +102,7 @@ class Reason {
     std::string words =
         fmt::format("at {} lies inside", position_text(at, mesh_->mean_edge_length()));
     const double away = distance_to_border(*mesh_, at);
-    if (std::isfinite(away)) words += fmt::format(", {:.3g} mesh units from the border", away);
+    if (std::isfinite(away)) words += ", " + mesh_units_text(away) + " from the border";
     return words;
   }
 

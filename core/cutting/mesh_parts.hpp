@@ -18,8 +18,8 @@
 
 namespace talweg {
 
-/// The pieces to keep: pieces that lie on the given side of all curves along them, so nested curves
-/// are handled, too.
+/// The pieces to keep: pieces that lie on the given side of every curve on their border, so nested
+/// curves are handled, too.
 enum class KeptSide : std::uint8_t { kBoth, kLeft, kRight };
 
 struct PartOptions {

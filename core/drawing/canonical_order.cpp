@@ -216,4 +216,10 @@ SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order) {
   return result;
 }
 
+CurveMeasures turned_back(CurveMeasures measures, const CurveOrder& order, std::size_t points) {
+  measures.max_at = order.drawn_index(measures.max_at, points);
+  if (order.reversed) measures.signed_curvature = -measures.signed_curvature;
+  return measures;
+}
+
 }  // namespace talweg

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "talweg/core/measure/measures.hpp"
 #include "talweg/core/mesh/surface_mesh.hpp"
 #include "talweg/intrinsic/surface/surface_point.hpp"
 
@@ -34,6 +35,9 @@ CurveOrder canonical_order(const SurfaceMesh& mesh, const SurfaceCurve& curve);
 
 /// The curve with its points in the given order.
 SurfaceCurve in_order(const SurfaceCurve& curve, const CurveOrder& order);
+
+/// Measures of a curve in the given order, converted to the drawn curve, which has `points` points.
+CurveMeasures turned_back(CurveMeasures measures, const CurveOrder& order, std::size_t points);
 
 /// The order in which the curves of a set are processed, independent of how they are listed: open
 /// curves first, then by number of points, share of the set's length (in billionths), and

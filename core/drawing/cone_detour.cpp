@@ -10,7 +10,7 @@
 namespace talweg {
 namespace {
 
-constexpr double kGain = 1e-3;  // of the line
+constexpr double kGain = 1e-3;  // of the section
 
 /// A corner of a face that the line crosses, unfolded along the line, which is the x axis.
 struct Corner {

@@ -17,12 +17,13 @@ struct ConeDetour {
   VertexId over;                ///< one of `chain`
 };
 
-/// The vertex beside a straight line on whose other side the line would probably get shortest; none
-/// if no vertex promises to shorten the line by a thousandth. Seen from a vertex, the line spans an
-/// angle. If this angle is more than half of the vertex's cone angle, the way around the other side
-/// is shorter, as far as the surface near the line is this cone. `line` is a geodesic whose points
-/// lie at vertices and on crossed edges, except its ends. O(faces that the line crosses and that
-/// meet at their corners).
+/// The vertex beside a straight line on whose other side its section of the line would probably get
+/// shortest, relative to the length of the section; none if no section promises to get shorter by a
+/// thousandth. The sections of a line are its parts between successive vertices on the line, or
+/// ends of the line. Seen from a vertex, the section spans an angle. If this angle is more than
+/// half of the vertex's cone angle, the way around the other side is shorter, as far as the surface
+/// near the line is this cone. `line` is a geodesic whose points lie at vertices and on crossed
+/// edges, except its ends. O(faces that the line crosses and that meet at their corners).
 std::optional<ConeDetour> cone_detour(SignpostTriangulation& triangulation, const Surface& surface,
                                       std::span<const SurfacePoint> line);
 

@@ -155,7 +155,8 @@ void EdgeDijkstra::check(std::span<const VertexId> through) const {
   for (const VertexId v : through) {
     if (v.index() >= surface_->vertex_count()) {
       throw Error(ErrorCode::kBadCurve, "Way-point " + text(v) + " is not a vertex: the mesh has " +
-                                            std::to_string(surface_->vertex_count()) + ".");
+                                            std::to_string(surface_->vertex_count()) +
+                                            " vertices, counted from 0.");
     }
   }
   std::vector<VertexId> sorted(through.begin(), through.end());
@@ -172,7 +173,11 @@ std::vector<VertexId> EdgeDijkstra::between(std::span<const PathEnd> starts,
   poller_ = ProgressPoller(progress, "draw");
   ++drawing_;
   const VertexId end = search({starts, ends});
-  if (!end.valid()) no_path(1, starts.front().vertex, ends.front().vertex);
+  if (!end.valid()) {
+    throw Error(ErrorCode::kBadCurve,
+                "No path joins the points near vertices " + text(starts.front().vertex) + " and " +
+                    text(ends.front().vertex) + ": they lie on different components of the mesh.");
+  }
   return path_to(end);
 }
 

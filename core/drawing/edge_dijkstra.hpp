@@ -56,9 +56,10 @@ class EdgeDijkstra {
   std::vector<VertexId> redraw(std::span<const VertexId> path, std::span<const VertexId> through,
                                std::size_t moved, bool closed, const Progress& progress = {});
 
-  /// The shortest of the edge paths from one of `starts` to one of `ends`, with the ways beyond
-  /// both; a single vertex if this is a start and an end. Throws Error(kBadCurve) if no path leads
-  /// from any start to any end, and Cancelled when `progress` (stage "draw") says so.
+  /// The shortest of the edge paths from one of `starts` to one of `ends`, where the length of a
+  /// path includes the ways beyond both. The path is a single vertex if going through this vertex
+  /// is shortest. Throws Error(kBadCurve) if no path leads from any start to any end, and Cancelled
+  /// when `progress` (stage "draw") says so.
   std::vector<VertexId> between(std::span<const PathEnd> starts, std::span<const PathEnd> ends,
                                 const Progress& progress = {});
 
@@ -67,7 +68,7 @@ class EdgeDijkstra {
   struct Task {
     std::span<const PathEnd> starts, ends;
     bool not_along_edge = false;  ///< the edge from a start to an end is not a path
-    bool obey_blocks = true;      ///< blocked vertices are passed by
+    bool obey_blocks = true;      ///< paths avoid blocked vertices that are no ends
   };
   struct Entry {
     double distance;  ///< from the start; with landmarks, a bound of the whole path

@@ -33,8 +33,8 @@ class EdgeLandmarks {
   std::vector<Distances> of_vertex_;
   // A path from a vertex v to an end t is at least as long as the distances of t and v from a
   // landmark differ. The minimum over all ends, each with its way beyond, needs two numbers.
-  Distances goal_from_ = {};  ///< least of distance(t) + beyond: how far the goal is at least
-  Distances goal_to_ = {};    ///< most of distance(t) - beyond
+  Distances goal_from_ = {};  ///< least of distance(t) + beyond: the length of the path to the goal
+  Distances goal_to_ = {};    ///< largest of distance(t) - beyond, at least 0
 };
 
 }  // namespace talweg

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "talweg/core/space/message_numbers.hpp"
+
 namespace talweg {
 namespace {
 
@@ -41,10 +43,11 @@ void tell_beyond_border(const SnappedCurve& curve, std::size_t number,
     const BeyondBorder& beyond = curve.beyond_border[side];
     if (beyond.points == 0) continue;
     notes.push_back(fmt::format(
-        "Curve {} runs over the border of the mesh at its {}: {} {} up to {:.3g} mesh units beyond "
-        "the border {} left out, and the curve {} exactly at the border.",
+        "Curve {} runs over the border of the mesh at its {}: {} {} up to {} beyond the "
+        "border {} left out, and the curve {} exactly at the border.",
         number, side == 0 ? "start" : "end", beyond.points, beyond.points == 1 ? "point" : "points",
-        beyond.farthest, beyond.points == 1 ? "is" : "are", side == 0 ? "begins" : "ends"));
+        mesh_units_text(beyond.farthest), beyond.points == 1 ? "is" : "are",
+        side == 0 ? "begins" : "ends"));
   }
 }
 

@@ -486,13 +486,14 @@ bool moved_far(double largest_snap_distance, const SurfaceMesh& mesh) {
 std::string snap_warning(double largest_snap_distance, const SurfaceMesh& mesh) {
   if (!(largest_snap_distance > kRoundingInEdges * mesh.mean_edge_length())) return "";
   if (!moved_far(largest_snap_distance, mesh)) {
-    return fmt::format("The curve was moved onto the mesh, by up to {:.3g} mesh units.",
-                       largest_snap_distance);
+    return "The curve was moved onto the mesh, by up to " + mesh_units_text(largest_snap_distance) +
+           ".";
   }
   return fmt::format(
-      "{}: it was moved onto the mesh, by up to {:.3g} mesh units, {:.1f} mean edges. Does the "
+      "{}: it was moved onto the mesh, by up to {}, {:.1f} mean edges. Does the "
       "curve belong to this mesh, and is it in the mesh's unit?",
-      kFarFromMesh, largest_snap_distance, largest_snap_distance / mesh.mean_edge_length());
+      kFarFromMesh, mesh_units_text(largest_snap_distance),
+      largest_snap_distance / mesh.mean_edge_length());
 }
 
 }  // namespace talweg

@@ -41,7 +41,7 @@ struct SnappedCurve {
   /// that runs over the border is never a loop.
   bool of_hand = false, may_be_loop = false;
   std::array<BeyondBorder, 2> beyond_border;  ///< at the start and at the end
-  std::vector<std::string> notes;  ///< of the input, and on points that were put elsewhere
+  std::vector<std::string> notes;  ///< sentences of the input, and on points put elsewhere
   std::string better_fit;          ///< the text of better_fit()
   std::string why_stroke;          ///< a sentence if control points were not taken for way-points
 };

@@ -8,6 +8,7 @@
 
 #include "talweg/core/drawing/cone_detour.hpp"
 #include "talweg/core/drawing/edge_dijkstra.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/flip_out.hpp"
 #include "talweg/intrinsic/flips/point_insertion.hpp"
@@ -20,8 +21,9 @@ std::string gap_warning(const JoinedGaps& gaps) {
   if (gaps.count == 0) return "";
   return fmt::format(
       "{} {} of the drawing, over four times as long as its usual segment, {} joined straight "
-      "over the surface, the longest over {:.3g} mesh units.",
-      gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were", gaps.longest);
+      "over the surface, the longest over {}.",
+      gaps.count, gaps.count == 1 ? "gap" : "gaps", gaps.count == 1 ? "was" : "were",
+      mesh_units_text(gaps.longest));
 }
 
 namespace {
@@ -37,7 +39,8 @@ void append_corners(const Surface& surface, const SurfacePoint& point, FaceId fa
   }
 }
 
-/// The vertices nearest to a point: itself, or the corners of the faces in which the point lies.
+/// The vertices at which edge paths to a point may end: the vertex at which the point lies, or the
+/// corners of its faces.
 std::vector<PathEnd> corners_around(const Surface& surface, const SurfacePoint& point) {
   if (const auto* v = std::get_if<AtVertex>(&point.where())) return {{v->vertex}};
   std::vector<PathEnd> ends;

@@ -42,10 +42,10 @@ class StraightLines {
 
   /// A curve through the points, in order. Two points of a common face are joined inside it. Other
   /// points are joined by the geodesic that FlipOut finds from the shortest edge path between
-  /// corners of their faces. It is no longer than this path, and locally, not always globally,
-  /// shortest. Successive points that coincide count as one. Throws Error(kBadCurve) when two
-  /// points lie on different components, or when fewer than two different points (three if closed)
-  /// remain; throws Cancelled when `progress` (stage "draw") says so.
+  /// corners of their faces. The geodesic is no longer than this path, and locally, not always
+  /// globally, shortest. Successive points that coincide count as one. Throws Error(kBadCurve) when
+  /// two points lie on different components, or when fewer than two different points (three if
+  /// closed) remain; throws Cancelled when `progress` (stage "draw") says so.
   SurfaceCurve join(std::span<const SurfacePoint> points, bool closed,
                     const Progress& progress = {});
   /// The gaps found by the last join().

@@ -16,9 +16,9 @@
 namespace talweg {
 
 struct FairOptions {
-  double centering = 1e-3;      ///< β
-  double stiffness = 10;        ///< ρ, of the walls
-  double felt = 0.8;            ///< distance W at which walls are felt, as a share of the band's
+  double centering = 1e-3;  ///< β
+  double stiffness = 10;    ///< ρ, of the walls
+  double felt = 0.8;  ///< distance W at which a wall is felt, relative to the distance of the wall
   double tolerance = 3e-3;      ///< relative gain in energy below which the run ends
   double leg_tolerance = 1e-4;  ///< the same for a chain with legs
   int max_iterations = 60;
@@ -127,8 +127,10 @@ class FairChain {
   std::vector<Row> rows_;
   BandSystem system_, with_walls_;  // of a step: without walls, with the felt walls
   std::vector<double> stiffness_;   // per sample
-  std::vector<int> active_;  // per sample: 1 or -1 if the wall on its or the other side is felt
-  std::vector<int> held_;    // per sample: whether the step leaves it in place
+  /// Per sample: 1 if the wall on the sample's side of the drawing is felt, -1 for the other wall,
+  /// 0 for none.
+  std::vector<int> active_;
+  std::vector<int> held_;  // per sample: whether the step leaves it in place
 };
 
 }  // namespace talweg

@@ -27,7 +27,7 @@ struct ChainJoin {
   /// turns on both sides and their mean; radians, positive to the left.
   double first_turn = 0, last_turn = 0;
   bool bends_once = false;
-  std::uint32_t stretch = 0;  ///< its number, with freed samples counted as fixed
+  std::uint32_t stretch = 0;  ///< the stretch with the join; freed samples still count as fixed
 };
 
 /// The ends of an open chain are fixed, and other samples may be. Free samples lie inside faces.

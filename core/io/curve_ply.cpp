@@ -68,7 +68,7 @@ class PlyReader {
       smallest += ascii_ ? 1 : size_of(property.is_list ? property.count_type : property.type);
     }
     if (smallest > 0 && element.count > (scanner_.remaining() + 1) / smallest) {
-      fail(fmt::format("the header announces {} elements '{}', but the file ends before",
+      fail(fmt::format("the header announces {} elements '{}', but the file ends earlier",
                        element.count, printable(element.name)));
     }
   }

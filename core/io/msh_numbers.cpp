@@ -13,7 +13,7 @@ std::size_t MshNumbers::count(std::int64_t value, const char* what, std::size_t 
   if (value < 0) fail(fmt::format("there are {} {}", value, what));
   const std::size_t each = binary_ ? size : 2;
   if (static_cast<std::uint64_t>(value) > scanner_.remaining() / each + 1) {
-    fail(fmt::format("{} {} are announced, but the file ends before", value, what));
+    fail(fmt::format("{} {} are announced, but the file ends earlier", value, what));
   }
   return static_cast<std::size_t>(value);
 }

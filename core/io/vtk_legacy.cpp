@@ -83,7 +83,7 @@ std::vector<double> VtkLegacy::read_numbers(std::uint64_t count, NumberType type
   scanner_.next_line();
   const std::size_t size = ascii_ ? 1 : size_of(type);
   if (count > (scanner_.remaining() + 1) / size) {
-    fail(fmt::format("expected {} numbers, but the file ends before", count));
+    fail(fmt::format("expected {} numbers, but the file ends earlier", count));
   }
   const auto n = static_cast<std::size_t>(count);
   std::vector<double> numbers(n);

@@ -9,6 +9,7 @@
 #include "talweg/core/drawing/drawn_curves.hpp"
 #include "talweg/core/lifting/bump_convolution.hpp"
 #include "talweg/core/lifting/lifted_lengths.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/flips/signpost_triangulation.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
@@ -65,10 +66,10 @@ void PaperLift::solve(std::span<const SurfaceCurve> curves, const HeatSettings& 
   const auto& mollified = heat->report().mollification;
   mollification_ = mollified.empty() ? 0 : *std::max_element(mollified.begin(), mollified.end());
   if (mollification_ > 0) {
-    warnings_.push_back(
-        fmt::format("The mesh has needle triangles: to compute the distance, and for nothing else, "
-                    "edges were lengthened by up to {:.3g} mesh units, {:.3g} mean edge lengths.",
-                    mollification_, mollification_ / mesh_->mesh().mean_edge_length()));
+    warnings_.push_back(fmt::format(
+        "The mesh has needle triangles: to compute the distance, and for nothing else, "
+        "edges were lengthened by up to {}, {:.3g} mean edge lengths.",
+        mesh_units_text(mollification_), mollification_ / mesh_->mesh().mean_edge_length()));
   }
   solve_ms_ = watch.ms();
 }

@@ -87,16 +87,16 @@ struct Decisive {
   bool operator==(const Decisive& other) const = default;
 };
 
-/// The report on one curve, or the totals of a set. In totals, counts, lengths, total curvatures
-/// and bendings are sums, maxima are maxima, means are weighted by length, `termination` is the
-/// worst, `deviation` is kEuclidean if any curve has kEuclidean, and `deviation_exact` holds if it
-/// holds for all curves. Lengths are in mesh units, angles in radians. Deviations are infinite if
-/// they were not measured, or if the curves lie on different components of the mesh. "Before" and
-/// "drawn" refer to the given curve, before corners were capped. Entries in JSON have the names of
-/// the fields, with these exceptions: the entries of `before` and `after` are `length_before`,
-/// `length_after` and so on; total_curvature is `curvature_...`, max_curvature `curvature_max_...`;
-/// signed_curvature and max_at have no entries. In totals max_at has no meaning. The entry
-/// `decisive` lists the sentences, `decisive_at` the x, y and z of their places.
+/// The report on one curve, or the totals of a set. In totals, counts and lifted lengths are sums,
+/// measures are sums or maxima (named_measures.hpp), other maxima are maxima, means are weighted by
+/// length, `termination` is the worst, `deviation` is kEuclidean if any curve has kEuclidean, and
+/// `deviation_exact` holds if it holds for all curves. Lengths are in mesh units, angles in
+/// radians. Deviations are infinite if they were not measured, or if the curves lie on different
+/// components of the mesh. "Before" and "drawn" refer to the given curve, before corners were
+/// capped. Entries in JSON have the names of the fields, with these exceptions: the entries of
+/// `before` and `after` are the names of kNamedMeasures with `_before` and `_after`, so
+/// signed_curvature and max_at have none. In totals max_at has no meaning. The entry `decisive`
+/// lists the sentences, `decisive_at` the x, y and z of their places.
 struct SmoothingReport {
   std::string version;       ///< of the library
   std::size_t faces = 0;     ///< of the mesh

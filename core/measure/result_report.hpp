@@ -23,7 +23,8 @@ SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& dra
 SmoothingReport report_on_curve(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                 const SurfaceCurve& result);
 
-/// The report on a drawing without a result, whose entries have the values of the drawing.
+/// The report on a drawing without a result: the entries on the result have the values of the
+/// drawing, and the deviations are infinite.
 SmoothingReport report_on_nothing(const SurfaceMesh& mesh, const SurfaceCurve& drawn, double edge,
                                   const CurveMeasures& measures);
 

@@ -47,32 +47,62 @@ void add_defect(Entries& entries, const std::string& key, const Defect<Place>& d
   }
 }
 
+/// The words for a kind of defect, before its places: "1 face of zero area: face 3".
+struct KindWords {
+  const char* one;
+  const char* several;
+  const char* place;  ///< the noun of the places
+};
+
 /// Calls `visit(key, words, defect, blocks)` for every kind of defect. Reports, `talweg info` and
 /// the page list these kinds, in this order.
 template <class Visit>
 void for_each_defect(const MeshInspection& m, Visit visit) {
-  constexpr bool kBlocks = true, kTold = false;
-  visit("indices_out_of_range", "faces with vertices that do not exist: face",
+  constexpr bool kBlocks = true, kHarmless = false;
+  visit("indices_out_of_range",
+        KindWords{"face with vertices that do not exist", "faces with vertices that do not exist",
+                  "face"},
         m.indices_out_of_range, kBlocks);
-  visit("non_finite_vertices", "vertices with coordinates that are not finite or too large: vertex",
+  visit("non_finite_vertices",
+        KindWords{"vertex with coordinates that are not finite or too large",
+                  "vertices with coordinates that are not finite or too large", "vertex"},
         m.non_finite_vertices, kBlocks);
-  visit("repeated_vertex_faces", "faces that use a vertex twice: face", m.repeated_vertex_faces,
-        kBlocks);
-  visit("duplicate_faces", "faces that repeat another face: face", m.duplicate_faces, kBlocks);
-  visit("non_manifold_edges", "edges with more than two faces: vertices", m.non_manifold_edges,
-        kBlocks);
-  visit("misoriented_edges", "edges between faces of opposite orientation: vertices",
+  visit("repeated_vertex_faces",
+        KindWords{"face that uses a vertex twice", "faces that use a vertex twice", "face"},
+        m.repeated_vertex_faces, kBlocks);
+  visit("duplicate_faces",
+        KindWords{"face that repeats another face", "faces that repeat another face", "face"},
+        m.duplicate_faces, kBlocks);
+  visit("non_manifold_edges",
+        KindWords{"edge with more than two faces", "edges with more than two faces", "vertices"},
+        m.non_manifold_edges, kBlocks);
+  visit("misoriented_edges",
+        KindWords{"edge between faces of opposite orientation",
+                  "edges between faces of opposite orientation", "vertices"},
         m.misoriented_edges, kBlocks);
   visit("non_manifold_vertices",
-        "vertices where parts of the surface touch without a common edge (bow-ties): vertex",
+        KindWords{"vertex where parts of the surface touch without a common edge (bow-tie)",
+                  "vertices where parts of the surface touch without a common edge (bow-ties)",
+                  "vertex"},
         m.non_manifold_vertices, kBlocks);
-  visit("isolated_vertices", "vertices without a face: vertex", m.isolated_vertices, kTold);
-  visit("stray_vertices", "of these, with coordinates that are not finite or too large: vertex",
-        m.stray_vertices, kTold);
-  visit("duplicate_positions", "vertices at the position of another vertex: vertex",
-        m.duplicate_positions, kTold);
-  visit("zero_area_faces", "faces of zero area: face", m.zero_area_faces, kTold);
-  visit("needle_faces", "needle faces (an angle below 1 degree): face", m.needle_faces, kTold);
+  visit("isolated_vertices",
+        KindWords{"vertex without a face", "vertices without a face", "vertex"},
+        m.isolated_vertices, kHarmless);
+  visit("stray_vertices",
+        KindWords{"vertex without a face, with coordinates that are not finite or too large",
+                  "vertices without a face, with coordinates that are not finite or too large",
+                  "vertex"},
+        m.stray_vertices, kHarmless);
+  visit("duplicate_positions",
+        KindWords{"vertex at the position of another vertex",
+                  "vertices at the position of another vertex", "vertex"},
+        m.duplicate_positions, kHarmless);
+  visit("zero_area_faces", KindWords{"face of zero area", "faces of zero area", "face"},
+        m.zero_area_faces, kHarmless);
+  visit("needle_faces",
+        KindWords{"needle face (an angle below 1 degree)", "needle faces (an angle below 1 degree)",
+                  "face"},
+        m.needle_faces, kHarmless);
 }
 
 std::string face_ids(const std::vector<std::uint32_t>& list) {
@@ -81,7 +111,7 @@ std::string face_ids(const std::vector<std::uint32_t>& list) {
 
 std::string place_words(std::uint32_t id) { return fmt::format("{}", id); }
 std::string place_words(const RepeatPlace& p) {
-  return fmt::format("{} (as {})", p.element, p.earlier);
+  return fmt::format("{} (repeats {})", p.element, p.earlier);
 }
 std::string place_words(const FaceIndexPlace& p) {
   return fmt::format("{} (vertex {})", p.face, p.vertex);
@@ -115,9 +145,12 @@ const char* to_string(MeshVerdict verdict) {
 
 std::vector<DefectWords> found_defects(const MeshInspection& m) {
   std::vector<DefectWords> found;
-  for_each_defect(m, [&](const char*, const char* words, const auto& defect, bool blocks) {
+  for_each_defect(m, [&](const char*, const KindWords& kind, const auto& defect, bool blocks) {
     if (!defect.found()) return;
-    found.push_back({defect.count, fmt::format("{} {}", words, places_words(defect)), blocks});
+    found.push_back({defect.count,
+                     fmt::format("{}: {} {}", defect.count == 1 ? kind.one : kind.several,
+                                 kind.place, places_words(defect)),
+                     blocks});
   });
   return found;
 }
@@ -150,7 +183,7 @@ std::vector<ReportEntry> entries_of(const MeshInspection& m) {
                      {"edge_length_mean", m.edge_length_mean},
                      {"edge_length_max", m.edge_length_max},
                      {"smallest_angle", m.smallest_angle}};
-  for_each_defect(m, [&](const char* key, const char*, const auto& defect, bool) {
+  for_each_defect(m, [&](const char* key, const KindWords&, const auto& defect, bool) {
     add_defect(entries, std::string("defects.") + key, defect);
   });
   entries.push_back({"defects_found", defect_lines(found_defects(m))});

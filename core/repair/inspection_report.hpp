@@ -20,7 +20,7 @@ const char* to_string(MeshVerdict verdict);
 /// A kind of defect that a mesh has.
 struct DefectWords {
   std::size_t count = 0;
-  std::string words;    ///< with the first places: "faces of zero area: face 3, 8"
+  std::string words;    ///< after the count, with the first places: "faces of zero area: face 3, 8"
   bool blocks = false;  ///< keeps the mesh from being opened
 };
 

@@ -93,7 +93,7 @@ std::vector<std::string> sentences(const MeshChanges& changes) {
   std::vector<std::string> all;
   tell(all, changes.welded_vertices, "vertex was welded onto another",
        "vertices were welded onto others", "vertex",
-       fmt::format(", over at most {:.3g} mesh units", changes.weld_distance));
+       ", over at most " + mesh_units_text(changes.weld_distance));
   if (changes.held_apart > 0) {
     all.push_back(fmt::format(
         "Repair: {} vertices within the tolerance of others stay apart, because they are the two "

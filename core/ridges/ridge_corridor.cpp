@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kOnEdge = 3;  // nodes inside each edge
 constexpr double kGround = 4;       // cost per length without a ridge; 1 / kGround on the best one
-constexpr double kFullTurn = 10 * std::numbers::pi / 180;
-constexpr double kRim = 0.5;
+constexpr double kTurnAsDrawn = 10 * std::numbers::pi / 180;  // such a ridge costs as the drawing
+constexpr double kRim = 0.5;                                  // growth of costs at the rim
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNoElement = 0xFFFFFFFFU;
 
 /// The pull of a ridge, in [0, 1). At a pull of a half, a ridge costs as much as the drawing.
 double pull_of(double angle, double strength) {
-  const double pull = strength * angle / kFullTurn;
+  const double pull = strength * angle / kTurnAsDrawn;
   return pull / (1 + pull);
 }
 

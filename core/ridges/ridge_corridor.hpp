@@ -18,14 +18,15 @@ namespace talweg {
 
 /// The nodes of the graph are vertices, three points of each edge, and the points of the drawing.
 /// Arcs join the nodes of each face. The cost of an arc is its length times a factor: 1 along the
-/// drawing, 4 where there is no ridge, and less on a ridge, the more the surface turns there. At
-/// `strength` 1 the factor of a ridge is 1 where the surface turns by 10°, and tends to 1/4 for
-/// larger turns. Costs also grow with the distance from the drawing, by half at the rim of the
-/// corridor.
+/// drawing, or less where the drawing lies on a ridge; 4 where there is neither; and less on a
+/// ridge, the more the surface turns there. At `strength` 1 the factor of a ridge is 1 where the
+/// surface turns by 10°, and tends to 1/4 for larger turns. Costs also grow with the distance from
+/// the drawing, by half at the rim of the corridor.
 class RidgeCorridor {
  public:
-  static constexpr double kAsDrawn =
-      0.5;  ///< the pull at which arcs cost as much as along the drawing
+  /// The pull at which an arc costs as much as along the drawing.
+  static constexpr double kAsDrawn = 0.5;
+
   struct Settings {
     double width = 0;  ///< mesh units, > 0, along edges: largest distance of nodes from the drawing
     double strength = 0;  ///< (0, 1]

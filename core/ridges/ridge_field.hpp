@@ -24,7 +24,8 @@ enum class RidgeKind {
 RidgeKind ridge_kind(std::string_view name);
 
 /// The strength of ridges at vertices and along edges, as angles, which do not depend on the unit
-/// of length. A value is computed at its first query. Arrays over all vertices are zeroed memory
+/// of length. The dihedral angle of an edge is here the angle between the normals of its two faces,
+/// 0 on a plane. A value is computed at its first query. Arrays over all vertices are zeroed memory
 /// (zeroed_memory.hpp), so only the pages that queries touch take memory. The mesh must outlive the
 /// field. One thread at a time.
 class RidgeField {
@@ -40,8 +41,9 @@ class RidgeField {
   /// O(vertices within three scales), once per vertex.
   double at(VertexId vertex);
 
-  /// The dihedral angle of an edge beyond the usual dihedral angle around the edge and beyond the
-  /// angle that the mesh's roughness explains: radians, in [0, π). O(edges within two rings).
+  /// The dihedral angle of an edge minus the larger of the usual dihedral angle around the edge and
+  /// the angle that the mesh's roughness explains; 0 if the edge exceeds the latter angle by 0.05
+  /// or less: radians, in [0, π). O(edges within two rings).
   double along(EdgeId edge);
 
  private:

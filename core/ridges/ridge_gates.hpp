@@ -42,10 +42,11 @@ struct RidgeGates {
 };
 
 struct RidgeBand {
-  double width = 0;      ///< mesh units: of corridors of strokes, and around clicks and ends
-  double leg_part = 0;   ///< width of a leg's corridor, as part of the leg's length; >= `width`
-  double leg_width = 0;  ///< mesh units: largest width of a leg's corridor, if above `width`
-  double edge = 0;       ///< mesh units: length of the mesh's edges near the drawing
+  double width = 0;  ///< mesh units: of corridors of strokes, and around clicks and ends
+  /// The corridor of a leg is `leg_part` of the leg's length wide, but at least `width`, and at
+  /// most `leg_width` (mesh units) if this is more than `width`.
+  double leg_part = 0, leg_width = 0;
+  double edge = 0;  ///< mesh units: length of the mesh's edges near the drawing
 };
 
 /// Way-points and free ends may move within the band, but no more than a third of the way to the

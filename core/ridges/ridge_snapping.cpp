@@ -13,6 +13,7 @@
 #include "talweg/core/mesh/smooth_ground.hpp"
 #include "talweg/core/ridges/ridge_gates.hpp"
 #include "talweg/core/ridges/ridge_way.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
@@ -331,14 +332,13 @@ std::string RidgeMoves::sentence(std::size_t curve) const {
   }
   if (moved == 0) {
     return fmt::format(
-        "Curve {} stays as it was drawn: no ridge that is strong enough lies within {:.3g} mesh "
-        "units of it.",
-        curve, reach);
+        "Curve {} stays as it was drawn: no ridge that is strong enough lies within {} of it.",
+        curve, mesh_units_text(reach));
   }
   std::string text = fmt::format(
-      "{:.0f} % of curve {} were moved onto ridges, by up to {:.3g} mesh units (band {:.3g}, "
+      "{:.0f} % of curve {} were moved onto ridges, by up to {} (band {:.3g}, "
       "strength {:g}).",
-      100 * moved, curve, farthest, band, strength);
+      100 * moved, curve, mesh_units_text(farthest), band, strength);
   if (already >= seen) text += fmt::format(" {:.0f} % lay on ridges already.", 100 * already);
   if (clicks > 0) {
     text += fmt::format(" {} of its clicks moved, too, by up to {:.3g}.", clicks, farthest_click);

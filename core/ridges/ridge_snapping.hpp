@@ -58,11 +58,11 @@ struct RidgedDrawing {
 /// Moves each curve onto ridges that lie within the band; the rest of the curve stays as drawn, to
 /// the last bit. The new course is the cheapest path in the band (RidgeCorridor has the costs,
 /// RidgeField the turning). A part of this path that leaves the drawing, but runs mostly beside
-/// ridges, is dropped. Free ends and way-points move along; points of `fixed` and points that
-/// curves have in common stay. On rough meshes turning is measured in a larger radius. At strength
-/// 0 the drawing stays unchanged. Throws Error(kBadUsage) as validate() does, and Cancelled.
-/// O(vertices within the bands); with a strength above 0, also O(vertices of the mesh) to clear
-/// arrays.
+/// ridges, is dropped. Free ends and way-points move with the course; points of `fixed` and points
+/// that curves have in common stay. On rough meshes turning is measured in a larger radius. At
+/// strength 0 the drawing stays unchanged. Throws Error(kBadUsage) as validate() does, and
+/// Cancelled. O(vertices within the bands); with a strength above 0, also O(vertices of the mesh)
+/// to clear arrays.
 RidgedDrawing snapped_to_ridges(const SurfaceMesh& mesh, std::span<const SurfaceCurve> curves,
                                 std::span<const SurfacePoint> fixed, MarkedPoints points,
                                 const RidgeOptions& options, const Progress& progress = {});

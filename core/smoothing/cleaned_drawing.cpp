@@ -12,6 +12,7 @@
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/mesh/border_points.hpp"
 #include "talweg/core/smoothing/smoothing_report.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/strokes/stroke_cleaning.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
@@ -25,9 +26,8 @@ std::string note_on(const CleanedStroke& stroke) {
   };
   add(stroke.rests, "place where the hand rested", "places where the hand rested");
   add(stroke.hooks, "hook at an end", "hooks at the ends");
-  return fmt::format(
-      "Left out of the drawing: {}, up to {:.3g} mesh units from the rest of the drawing.",
-      fmt::join(parts, " and "), stroke.farthest);
+  return fmt::format("Left out of the drawing: {}, up to {} from the rest of the drawing.",
+                     fmt::join(parts, " and "), mesh_units_text(stroke.farthest));
 }
 
 /// Cleans one curve, given in its canonical order.
@@ -187,6 +187,7 @@ void turn_back(const CurveOrder& order, std::size_t given_points, CleanedCurve& 
     if (place < 0) place += n;
     if (place >= n) place -= n;
   }
+  curve.measures = turned_back(curve.measures, order, given_points);
   if (!order.reversed) return;
   std::reverse(curve.curve.points.begin(), curve.curve.points.end());
   std::reverse(curve.places.begin(), curve.places.end());
@@ -253,10 +254,9 @@ void report_cleaning(const CleanedCurve& curve, const SurfaceCurve& given,
   report.points_before = given.points.size();
   report.left_out = curve.left_out;
   report.left_out_max = curve.farthest;
-  report.before = curve.measures;
-  if (ground != nullptr) {
-    report.before = turns_on_ground(*ground, given, report.edge_length_near, curve.measures);
-  }
+  report.before = ground == nullptr
+                      ? curve.measures
+                      : turns_on_ground(*ground, given, report.edge_length_near, curve.measures);
 }
 
 namespace {
@@ -354,10 +354,10 @@ std::vector<SurfacePoint> merge_clicks(const SurfaceMesh& mesh, const SurfaceCur
   const PointLookup gone(dropped);
   std::erase_if(options.way_points, [&](const WayPoint& way) { return gone.contains(way.point); });
   notes.push_back(
-      fmt::format("{} of the points that the result should pass {} within {:.3g} mesh units of "
+      fmt::format("{} of the points that the result should pass {} within {} of "
                   "another point and {} merged with that point.",
-                  dropped.size(), dropped.size() == 1 ? "lies" : "lie", clicks.farthest(),
-                  dropped.size() == 1 ? "was" : "were"));
+                  dropped.size(), dropped.size() == 1 ? "lies" : "lie",
+                  mesh_units_text(clicks.farthest()), dropped.size() == 1 ? "was" : "were"));
   return dropped;
 }
 

@@ -105,8 +105,7 @@ void MeshDomain::warn_of_upper_bounds(DomainResult& result) const {
   if (exact >= slack) return;
   result.warnings.push_back(
       fmt::format("Distances of more than {:.4g} to the drawing are upper bounds, because exact "
-                  "distances would take too long; with exact distances the result might be "
-                  "another one.",
+                  "distances would take too long; with exact distances the result might differ.",
                   exact));
 }
 

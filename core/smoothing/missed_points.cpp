@@ -75,10 +75,11 @@ void warn_of_missed_points(const SurfaceMesh& mesh, DeviationMeter& meter,
     report.missed_max = missed.farthest;
     report.missed_at = at;
     std::string sentence = fmt::format(
-        "The result misses {} of the points that it should pass, by up to {:.3g} mesh units "
-        "through space, at {}: where a drawing meets itself, small loops and "
-        "parts that run back along the drawing are lost.",
-        missed.points, missed.farthest, position_text(at, report.edge_length_near));
+        "The result misses {} of the points that it should pass, by up to {} through space, "
+        "at {}: where a drawing meets itself, small loops and parts that run back along the "
+        "drawing are lost.",
+        missed.points, mesh_units_text(missed.farthest),
+        position_text(at, report.edge_length_near));
     warn_decisively(report, {std::move(sentence), at});
   }
 }

@@ -60,10 +60,7 @@ OrderedDrawing::OrderedDrawing(const SurfaceMesh& mesh, std::span<const SurfaceC
 }
 
 CurveMeasures OrderedDrawing::of_drawn(std::size_t ordered, CurveMeasures measures) const {
-  const CurveOrder& order = orders_[ordered];
-  measures.max_at = order.drawn_index(measures.max_at, ordered_[ordered].points.size());
-  if (order.reversed) measures.signed_curvature = -measures.signed_curvature;
-  return measures;
+  return turned_back(measures, orders_[ordered], ordered_[ordered].points.size());
 }
 
 SmoothingOptions OrderedDrawing::ordered(SmoothingOptions options) const {

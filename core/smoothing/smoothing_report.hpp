@@ -10,8 +10,8 @@
 
 namespace talweg {
 
-/// The measures of a curve on the smooth ground, but with its length on the mesh and its tortuosity
-/// in space. `edge` is that of measure_curve().
+/// The measures of a curve on the smooth ground, but with the length and the tortuosity of
+/// `on_mesh`, its measures on the mesh. `edge` is that of measure_curve().
 CurveMeasures turns_on_ground(const SurfaceMesh& ground, const SurfaceCurve& curve, double edge,
                               const CurveMeasures& on_mesh);
 

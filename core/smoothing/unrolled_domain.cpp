@@ -22,9 +22,8 @@ constexpr std::size_t kFewFaces = 200'000;  // of strips: exact distances then t
 
 std::string limited_to(double distance) {
   return fmt::format(
-      "The drawing meets itself, so only results within {:.3g} mesh units of the drawing were "
-      "considered.",
-      distance);
+      "The drawing meets itself, so only results within {} of the drawing were considered.",
+      mesh_units_text(distance));
 }
 
 }  // namespace

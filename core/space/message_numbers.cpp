@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kAllDigits = 17;  // these tell any two doubles apart
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kExponentFrom = 1e15;   // shorter lengths are written without an exponent
+constexpr double kExponentFrom = 1e15;   // longer lengths are written with an exponent
 constexpr double kLeastFraction = 1e-6;  // least fraction of the upper bound that a lower bound has
 
 std::string with_commas(std::string digits) {
@@ -40,15 +40,24 @@ std::string position_text(const Point& at, double edge) {
 std::string count_text(std::size_t count) { return with_commas(std::to_string(count)); }
 
 std::string length_text(double length, int digits) {
-  const bool is_long = length >= std::pow(10, digits) - 0.5 && length < kExponentFrom;
-  return is_long ? with_commas(fmt::format("{:.0f}", length))
-                 : fmt::format("{:.{}g}", length, digits);
+  // Lengths of 10^(digits - 1) or more have no decimals; 0.05 is half of the last decimal below.
+  const double whole_from = std::pow(10, digits - 1) - 0.05;
+  const bool is_whole = length >= whole_from && length < kExponentFrom;
+  return is_whole ? with_commas(fmt::format("{:.0f}", length))
+                  : fmt::format("{:.{}g}", length, digits);
+}
+
+std::string mesh_units_text(double length, int digits) {
+  const std::string text = length_text(length, digits);
+  return text + (text == "1" ? " mesh unit" : " mesh units");
 }
 
 std::string bounds_text(double least, double most) {
-  std::string text = fmt::format("at most {:.6g}", most);
-  if (least >= kLeastFraction * most) text += fmt::format(" and at least {:.6g}", least);
-  return text;
+  constexpr int kDigits = 6;
+  const std::string at_least = "at least " + length_text(least, kDigits);
+  if (std::isinf(most)) return at_least;
+  const std::string at_most = "at most " + length_text(most, kDigits);
+  return least >= kLeastFraction * most ? at_most + " and " + at_least : at_most;
 }
 
 }  // namespace talweg

@@ -12,6 +12,7 @@
 #include "talweg/core/measure/edge_length_near.hpp"
 #include "talweg/core/measure/measures.hpp"
 #include "talweg/core/mesh/border_points.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/core/space/nearest_segment.hpp"
 #include "talweg/intrinsic/error.hpp"
 
@@ -138,9 +139,10 @@ void extend_end(const SurfaceMesh& mesh, const CurveEnd& end, std::vector<Surfac
   SurfaceCurve extended{false, {end.of(drawing)}};
   extended.points.insert(extended.points.end(), way.begin(), way.end());
   drawing.notes.push_back(
-      fmt::format("The {} of curve {} lies {:.3g} mesh units from the border of the mesh; the "
+      fmt::format("The {} of curve {} lies {} from the border of the mesh; the "
                   "curve was extended straight to the border.",
-                  end.last ? "end" : "start", end.curve, curve_length(mesh.surface(), extended)));
+                  end.last ? "end" : "start", end.curve,
+                  mesh_units_text(curve_length(mesh.surface(), extended))));
   drawing.all_exact.push_back({way.back(), 0});
   if (end.last) {
     points.insert(points.end(), way.begin(), way.end());

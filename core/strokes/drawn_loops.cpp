@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "talweg/core/drawing/way_point.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/surface/point_lookup.hpp"
 
 namespace talweg {
@@ -18,19 +19,19 @@ namespace {
 std::string note_on_loop(const ClosedLoop& loop) {
   if (loop.cut > loop.gap) {
     return fmt::format(
-        "A curve runs over its own beginning; {:.3g} mesh units at its ends were left out, and the "
-        "curve is taken as a loop.",
-        loop.cut);
+        "A curve runs over its own beginning; its ends, together {} long, were left out, and "
+        "the curve is taken as a loop.",
+        mesh_units_text(loop.cut));
   }
-  return fmt::format(
-      "The ends of a curve lie {:.3g} mesh units apart; the curve is taken as a loop.", loop.gap);
+  return fmt::format("The ends of a curve lie {} apart; the curve is taken as a loop.",
+                     mesh_units_text(loop.gap));
 }
 
 std::string note_on_gap(double gap) {
   return fmt::format(
-      "The ends of a curve lie {:.3g} mesh units apart; the curve is taken as open. If a loop is "
-      "meant, close the curve.",
-      gap);
+      "The ends of a curve lie {} apart; the curve is taken as open. If a loop is meant, close "
+      "the curve.",
+      mesh_units_text(gap));
 }
 
 bool any_on(const PointLookup& points, const SnappedDrawing& drawing) {

@@ -194,7 +194,7 @@ double slope_at(const Residuals& residuals, std::span<const double> r, std::size
 }
 
 /// The scale of the trembling, by the rules of hand_trembling().
-std::optional<AtScale> plateau_of(const Residuals& residuals, std::span<const double> r) {
+std::optional<AtScale> scale_of_trembling(const Residuals& residuals, std::span<const double> r) {
   const std::vector<double>& scales = residuals.scales;
   std::optional<AtScale> noise, knee, last;
   double steepest = 0, steepest_of_hand = 0, of_device = 0;
@@ -233,7 +233,7 @@ void add_parts(const Residuals& residuals, double length, std::size_t first, std
   const double half = length * static_cast<double>(middle - first) / kBalls;
   if (last - first > kBalls / 4 && half > kLeastPart * whole.scale) {
     const auto part = [&](std::size_t from, std::size_t to) {
-      return plateau_of(residuals, residuals.medians(from, to));
+      return scale_of_trembling(residuals, residuals.medians(from, to));
     };
     const std::optional<AtScale> left = part(first, middle), right = part(middle, last);
     if (left && right && left->is_plateau && right->is_plateau) {
@@ -275,7 +275,7 @@ std::optional<HandTrembling> hand_trembling(const SurfaceMesh& mesh, const Surfa
   const std::optional<double> apart = sample_distance(mesh, stroke, positions, step);
   if (!apart) return std::nullopt;
   const Residuals residuals = residuals_of(even, *apart, edge);
-  const std::optional<AtScale> found = plateau_of(residuals, residuals.medians(0, kBalls));
+  const std::optional<AtScale> found = scale_of_trembling(residuals, residuals.medians(0, kBalls));
   if (!found) return std::nullopt;
   return HandTrembling{std::numbers::sqrt3 * found->residual, found->scale,
                        amplitudes_along(residuals, even.length(), *found)};

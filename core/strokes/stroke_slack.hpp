@@ -25,7 +25,8 @@ struct StrokeSlack {
 std::vector<double> slack_at_points(const SurfaceMesh& mesh, const SurfaceCurve& curve,
                                     const StrokeSlack& slack);
 
-/// Converts a slack to the curve with its points in this order, and back. O(points).
+/// in_order() gives the slack of the curve with its points in the given order; turned_back() is the
+/// inverse. O(points).
 StrokeSlack in_order(const StrokeSlack& slack, const SurfaceMesh& mesh, const SurfaceCurve& curve,
                      const CurveOrder& order);
 StrokeSlack turned_back(const StrokeSlack& slack, const SurfaceMesh& mesh,

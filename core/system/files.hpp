@@ -37,10 +37,12 @@ enum class FileUse { kRead, kWrite, kAppend, kNew };
 File open_file(const std::filesystem::path& path, FileUse use);
 
 /// Whether the user may write the file, or make files in the folder; if not, errno has the reason.
+/// On Windows only the read-only attribute of files counts.
 bool may_write(const std::filesystem::path& path);
 
-/// Renames `fresh` to `target`, and first gives it the permissions of an existing `target`. Returns
-/// the reason of a failure; empty on success.
+/// Renames `fresh` to `target`. On POSIX the renamed file has the permissions of an existing
+/// `target`; on Windows the call waits up to two seconds while another program has `target` open.
+/// Returns the reason of a failure; empty on success.
 std::string take_place(const std::filesystem::path& fresh, const std::filesystem::path& target);
 
 /// Removes a file. Does nothing if the file does not exist.

@@ -82,7 +82,8 @@ class StepQueue {
   static constexpr std::uint64_t kFarthest = std::uint64_t{1} << 62U;
 
   /// The number of the step that contains a key. Steps are numbered from 0. Steps kEven k to kEven
-  /// (k + 1) - 1 are 2^k first widths wide, and begin at kEven (2^k - 1) first widths.
+  /// (k + 1) - 1 are 2^k first widths wide; the first of them begins at kEven (2^k - 1) first
+  /// widths.
   [[nodiscard]] std::uint64_t number_of(double key) const {
     constexpr double kWidths = kEven;
     const double widths = std::max(0.0, key / step_);

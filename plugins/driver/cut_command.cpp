@@ -301,12 +301,12 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "A file for each piece, OUT-0.ply, OUT-1.ply, ...; otherwise the pieces are "
                     "components of one mesh");
   command->add_option("--keep", o->keep,
-                      "left or right: only pieces on that side of every curve along them, seen "
-                      "along the curve from outside");
+                      "left or right: only pieces that lie on this side of every curve on their "
+                      "border, seen along the curve from outside");
   command->add_flag(
       "--cap{auto}", o->cap,
-      "Close the openings that the cut leaves by lids: auto (planar if the rim is planar, else of "
-      "least area; the default), planar or least-area, after an equals sign; a lid never goes "
+      "Close with lids the openings that the cut leaves: auto (planar if the rim is planar, else "
+      "of least area; the default), planar or least-area, after an equals sign; a lid never goes "
       "through the piece");
   command->add_flag("--tag", o->tag,
                     "Also write the curves' edges: element edge of a .ply, l of an .obj, lines of "

@@ -23,8 +23,8 @@ void add_repair_option(CLI::App& app, std::string& list) {
 
 void add_unit_option(CLI::App& app, std::string& unit) {
   app.add_option("--mesh-units", unit,
-                 "The unit of the mesh's coordinates, to which curves of .mrk.json files are "
-                 "converted: pm, nm, um, mm, cm, dm, m, km, in or ft (default: the unit in the "
+                 "The unit of the mesh's coordinates, to which curves of .mrk.json and .fcsv files "
+                 "are converted: pm, nm, um, mm, cm, dm, m, km, in or ft (default: the unit in the "
                  "mesh's file, or mm)");
 }
 

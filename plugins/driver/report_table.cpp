@@ -21,13 +21,10 @@ std::string head_of(const SmoothingReport& r) {
   const char* what = far.of == FarthestOf::kPoint     ? "a point that it should pass"
                      : far.of == FarthestOf::kDrawing ? "the drawing from the result"
                                                       : "the result from the drawing";
-  std::string distance = fmt::format("{:.6g}", far.at_least);
-  if (std::isinf(far.at_most) && !std::isinf(far.at_least)) {
-    distance = "at least " + distance;
-  } else if (far.at_most > far.at_least) {
-    distance = bounds_text(far.at_least, far.at_most);
-  }
-  return out + fmt::format("farthest apart: {} mesh units, {}, at {}\n", distance, what,
+  const std::string distance = far.at_most > far.at_least
+                                   ? bounds_text(far.at_least, far.at_most) + " mesh units"
+                                   : mesh_units_text(far.at_least, 6);
+  return out + fmt::format("farthest apart: {}, {}, at {}\n", distance, what,
                            position_text(far.at, r.edge_length_near));
 }
 

@@ -9,6 +9,7 @@
 
 #include "talweg/core/drawing/surface_normals.hpp"
 #include "talweg/core/io/text_words.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/error.hpp"
 
 namespace talweg::driver {
@@ -48,8 +49,8 @@ EvenPoints even_points(const std::string& text, const CoordinateFrame& frame) {
 
 void add_point_options(CLI::App& app, WrittenPoints& points) {
   app.add_option("--resample", points.resample,
-                 "Write evenly spaced points instead of the curve's own: their number (50), or "
-                 "their spacing (2.5 mesh units, or 2mm)");
+                 "Write evenly spaced points instead of the curve's own: their number, such as 50, "
+                 "or their spacing, such as 2.5 (mesh units) or 2mm");
   app.add_flag("--normals", points.normals,
                "Also write the surface's normal at each point (.vtp, .vtk, .ply, .json, and as "
                "orientation in .mrk.json)");
@@ -74,8 +75,8 @@ ReadyCurve ready(const SurfaceMesh& mesh, const SurfaceCurve& curve, std::size_t
 }
 
 std::string spacing_text(const ReadyCurve& curve) {
-  return fmt::format("{} points, {:.6g} mesh units apart", curve.curve.positions.size(),
-                     curve.spacing.value_or(0));
+  return fmt::format("{} points, {} apart", curve.curve.positions.size(),
+                     mesh_units_text(curve.spacing.value_or(0), 6));
 }
 
 }  // namespace talweg::driver

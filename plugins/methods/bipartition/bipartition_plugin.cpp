@@ -15,6 +15,7 @@
 #include "methods/method_workspace.hpp"
 #include "methods/plugins.hpp"
 #include "talweg/core/measure/measures.hpp"
+#include "talweg/core/space/message_numbers.hpp"
 #include "talweg/intrinsic/stopwatch.hpp"
 
 namespace talweg::plugins {
@@ -102,9 +103,9 @@ class Bipartition : public MethodWorkspace {
     }
     if (strays > 0) {
       warnings.push_back(fmt::format(
-          "The level set has {} more curve{}, {:.3g} mesh units long, that belong{} to no drawn "
+          "The level set has {} more curve{}, {} long, that belong{} to no drawn "
           "curve: a failure that this method is known for.",
-          strays, strays > 1 ? "s" : "", length, strays > 1 ? "" : "s"));
+          strays, strays > 1 ? "s" : "", mesh_units_text(length), strays > 1 ? "" : "s"));
     }
     if (!drawing().pins.empty()) {
       warnings.emplace_back(

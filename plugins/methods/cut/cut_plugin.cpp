@@ -57,8 +57,8 @@ class Cut : public MakesMeshes<Workspace> {
          boolean("split", "A mesh for each piece", false,
                  "Otherwise the pieces are components of one mesh."),
          side_choice("keep", "Keep",
-                     "Only pieces on that side of every curve along them, seen along the curve "
-                     "from outside."),
+                     "Only pieces that lie on this side of every curve on their border, seen along "
+                     "the curve from outside."),
          choice("cap", "Lids", "none", kCaps, kCapLabels,
                 "Close the openings that the cut leaves. A lid never goes through the piece."),
          ends_choice(),

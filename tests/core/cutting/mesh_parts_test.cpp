@@ -195,8 +195,8 @@ TEST(MeshParts, RefusesASideWithoutAPiece) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(4, 4));
   const SurfaceCurve slit = test::vertex_curve(mesh.surface(), test::ids({6, 7, 8}), false);
   EXPECT_EQ(refused_parts(cut_along(mesh, {&slit, 1}), mesh, kept_side(KeptSide::kLeft)),
-            "Curve 0 does not separate the mesh: its start at (1, 1, 0) lies inside, 1 mesh units "
-            "from the border, and its end at (3, 1, 0) lies inside, 1 mesh units from the border. "
+            "Curve 0 does not separate the mesh: its start at (1, 1, 0) lies inside, 1 mesh unit "
+            "from the border, and its end at (3, 1, 0) lies inside, 1 mesh unit from the border. "
             "Draw it from border to border, or as a loop. So there is no left side to keep.");
   const SurfaceCurve rim = test::vertex_curve(
       mesh.surface(), test::ids({0, 1, 2, 3, 4, 9, 14, 19, 24, 23, 22, 21, 20, 15, 10, 5}), true);

@@ -63,6 +63,25 @@ TEST(StraightLines, GapsAreCountedAndMeasured) {
   EXPECT_EQ(gap_warning(lines.gaps()), "");
 }
 
+TEST(StraightLines, PointsOfDifferentComponentsAreRefused) {
+  MeshLists two = grid(1, 1);
+  two.triangles.push_back({4, 5, 6});
+  for (int k = 0; k < 3; ++k) two.points.push_back(Point(5, k % 2, k));
+  const Surface surface = surface_of_lists(two);
+  const std::vector<SurfacePoint> points = {
+      SurfacePoint::at_vertex(surface, VertexId{0}), SurfacePoint::at_vertex(surface, VertexId{1}),
+      SurfacePoint::in_face(surface, FaceId{2}, {0.2, 0.3, 0.5})};
+  try {
+    StraightLines(surface).join(points, false);
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kBadCurve);
+    EXPECT_STREQ(error.what(),
+                 "No path joins the points near vertices 1 and 4: they lie on different "
+                 "components of the mesh.");
+  }
+}
+
 // A gap in a stroke may be a lost part; a leg to a click is intended.
 TEST(StraightLines, GapsOfStrokesDecide) {
   const SurfaceMesh mesh = SurfaceMesh::open(grid(10, 10));

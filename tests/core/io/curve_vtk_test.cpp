@@ -97,7 +97,7 @@ TEST_F(CurveVtk, RefusesMalformedFiles) {
   expect_refused("a.vtk", kAscii3 + "LINES 1 2\n1 0\n", {"line 0", "two points"});
   expect_refused("a.vtk", kAscii3 + "LINES 1 3\n9 0 1\n", {"more than there are"});
   expect_refused("a.vtk", kAscii3 + "LINES 2 3\n2 0 1\n", {"line 1 is missing"});
-  expect_refused("a.vtk", kAscii3 + "LINES 1 9\n2 0 1\n", {"ends before"});
+  expect_refused("a.vtk", kAscii3 + "LINES 1 9\n2 0 1\n", {"ends earlier"});
   expect_refused("a.vtk", kAscii3 + "LINES -1 3\n2 0 1\n", {"'-1'"});
   expect_refused("a.vtk", kAscii3 + "LINES 1 99999999999\n2 0 1\n", {"99999999999"});
   expect_refused("a.vtk", header("3.0", "ASCII") + "POINTS 1 float\n0 0 nan\nLINES 1 1\n",
@@ -109,13 +109,13 @@ TEST_F(CurveVtk, RefusesMalformedFiles) {
 TEST_F(CurveVtk, BelievesNoHeaderBeyondTheFile) {
   for (const char* encoding : {"ASCII", "BINARY"}) {
     expect_refused("a.vtk", header("3.0", encoding) + "POINTS 4000000000 double\n0 0 0\n",
-                   {"12000000000", "ends before"});
+                   {"12000000000", "ends earlier"});
     expect_refused("a.vtk", header("5.1", encoding) + "LINES 4000000000 4\nOFFSETS vtktypeint64\n0",
-                   {"4000000000", "ends before"});
+                   {"4000000000", "ends earlier"});
     expect_refused("a.vtk",
                    header("4.0", encoding) +
                        "FIELD f 4000000000\nx 4000000000 4000000000 double\n0\nLINES 0 0\n",
-                   {"ends before"});
+                   {"ends earlier"});
   }
 }
 

@@ -1,5 +1,7 @@
 #include "talweg/core/repair/inspection_report.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -36,8 +38,8 @@ TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
             json({{"count", 1}, {"first", {{{"id", 12}, {"repeats", 4}}}}}));
   // Face 4 has the vertices 2, 3, 7; only its side 2-7 is shared, with face 5.
   EXPECT_EQ(found["defects_found"],
-            json({"1 faces that repeat another face: face 12 (as 4)",
-                  "1 edges with more than two faces: vertices 2-7 (faces 4, 5, 12)",
+            json({"1 face that repeats another face: face 12 (repeats 4)",
+                  "1 edge with more than two faces: vertices 2-7 (faces 4, 5, 12)",
                   "2 edges between faces of opposite orientation: vertices 2-3 (faces 4, 12), 3-7 "
                   "(faces 4, 12)"}));
   const json out = json_of(entries_of(inspect(test::with_index_out_of_range(test::grid(3, 2), 7))));
@@ -49,6 +51,12 @@ TEST(InspectionReport, TellsTheFirstPlacesOfDefects) {
             json({{"count", 7}, {"first", {12, 13, 14, 15, 16}}}));
   EXPECT_EQ(isolated["defects_found"],
             json({"7 vertices without a face: vertex 12, 13, 14, 15, 16, ..."}));
+  MeshLists stray = test::with_isolated_vertices(test::grid(3, 2), 2);
+  stray.points.back().x() = NAN;
+  EXPECT_EQ(json_of(entries_of(inspect(stray)))["defects_found"],
+            json({"2 vertices without a face: vertex 12, 13",
+                  "1 vertex without a face, with coordinates that are not finite or too large: "
+                  "vertex 13"}));
 }
 
 TEST(InspectionReport, EdgesHaveTheirFaces) {
@@ -59,7 +67,7 @@ TEST(InspectionReport, EdgesHaveTheirFaces) {
   EXPECT_EQ(found["defects"]["non_manifold_edges"],
             json({{"count", 1}, {"first", {{{"vertices", {0, 3}}, {"faces", {0, 1, 2}}}}}}));
   EXPECT_EQ(found["defects_found"],
-            json({"1 edges with more than two faces: vertices 0-3 (faces 0, 1, 2)"}));
+            json({"1 edge with more than two faces: vertices 0-3 (faces 0, 1, 2)"}));
   EXPECT_TRUE(found["genus"].is_null());
 }
 

@@ -43,6 +43,11 @@ TEST(CountText, GroupsThousands) {
 TEST(LengthText, KeepsAllWholeUnitsWithoutAnExponent) {
   EXPECT_EQ(length_text(4821040.25, 6), "4,821,040");
   EXPECT_EQ(length_text(999999.7, 6), "1,000,000");
+  EXPECT_EQ(length_text(123456.7, 6), "123,457");
+  EXPECT_EQ(length_text(99999.96, 6), "100,000");
+  EXPECT_EQ(length_text(99999.94, 6), "99999.9");
+  EXPECT_EQ(length_text(1234.5, 4), "1,234");
+  EXPECT_EQ(length_text(0.96, 1), "1");
   EXPECT_EQ(length_text(123.45678, 6), "123.457");
   EXPECT_EQ(length_text(12345.6, 4), "12,346");
   EXPECT_EQ(length_text(0.000123456, 4), "0.0001235");
@@ -51,10 +56,25 @@ TEST(LengthText, KeepsAllWholeUnitsWithoutAnExponent) {
   EXPECT_EQ(length_text(std::numeric_limits<double>::infinity(), 6), "inf");
 }
 
+TEST(MeshUnitsText, HasASingular) {
+  EXPECT_EQ(mesh_units_text(1), "1 mesh unit");
+  EXPECT_EQ(mesh_units_text(2.0791), "2.08 mesh units");
+  EXPECT_EQ(mesh_units_text(4821.4), "4,821 mesh units");
+  EXPECT_EQ(mesh_units_text(1.00001, 6), "1.00001 mesh units");
+}
+
 TEST(BoundsText, LeavesLowerBoundsOfRoundingSizeOut) {
   EXPECT_EQ(bounds_text(2, 3), "at most 3 and at least 2");
   EXPECT_EQ(bounds_text(1.2e-9, 3.5), "at most 3.5");
   EXPECT_EQ(bounds_text(0, 3.5), "at most 3.5");
+}
+
+TEST(BoundsText, KeepsAllWholeUnitsWithoutAnExponent) {
+  EXPECT_EQ(bounds_text(2e6, 4821040.25), "at most 4,821,040 and at least 2,000,000");
+}
+
+TEST(BoundsText, HasNoInfiniteUpperBound) {
+  EXPECT_EQ(bounds_text(2, std::numeric_limits<double>::infinity()), "at least 2");
 }
 
 }  // namespace

@@ -131,6 +131,23 @@ TEST_F(StrokesOfHands, RestsAreLeftOut) {
   EXPECT_NE(result.report().warnings.front().find("where the hand rested"), std::string::npos);
 }
 
+TEST_F(StrokesOfHands, TheMeasuresOfADrawingWithARestHaveItsDirection) {
+  std::vector<Point> points = stroke(0.33);
+  std::mt19937 random(5);
+  std::normal_distribution<double> off(0, 0.004);
+  std::vector<Point> rest;
+  for (int k = 0; k < 60; ++k) rest.push_back(points[80] + Point(off(random), off(random), 0));
+  points.insert(points.begin() + 81, rest.begin(), rest.end());
+  for (const bool is_backwards : {false, true}) {
+    const SmoothingReport report = smoothed(points).report();
+    ASSERT_GT(report.left_out, 0U);
+    const CurveMeasures expected = measure_curve(opened->mesh(), drawn, report.edge_length_near);
+    EXPECT_NEAR(report.before.signed_curvature, expected.signed_curvature, 1e-9) << is_backwards;
+    EXPECT_EQ(report.before.max_at, expected.max_at) << is_backwards;
+    std::reverse(points.begin(), points.end());
+  }
+}
+
 /// A mouse gives a point every two edges, and a hundred points where the hand rests. A tablet's pen
 /// at rest wobbles by more than the spacing of its samples in motion.
 TEST_F(StrokesOfHands, RestsAreLeftOutForAnySampling) {

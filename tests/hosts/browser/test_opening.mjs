@@ -98,7 +98,7 @@ export async function allAboutTheMesh() {
   await page.openMesh(mesh('twice'));
   assert.equal(await page.text('mesh-text'), '');
   await page.page.click('#mesh-all summary');
-  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('repeat another face'));
+  await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('repeats another face'));
   await page.openMesh(mesh('ball'));
   await page.page.waitForFunction(() => document.getElementById('mesh-text').textContent.includes('none (closed)'));
 }

@@ -305,7 +305,7 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   write(file("short.obj"), line_over(1, 9, 5.3));
   outcome = run("cut plane.ply --curve short.obj -o led.ply --open --report led.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("The end of curve 0 lies 1 mesh units from the border of the mesh; "
+  EXPECT_NE(outcome.out.find("The end of curve 0 lies 1 mesh unit from the border of the mesh; "
                              "the curve was extended"),
             std::string::npos)
       << outcome.out;
@@ -317,7 +317,7 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
           "--report left.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Curve 0 does not separate the mesh: its start at (1, 5.3, 0) lies "
-                             "inside, 1 mesh units from the border, and its end at (9, 5.3, 0)"),
+                             "inside, 1 mesh unit from the border, and its end at (9, 5.3, 0)"),
             std::string::npos)
       << outcome.out;
   EXPECT_EQ(json("left.json")["pieces"], 1);
@@ -336,7 +336,7 @@ TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
             nlohmann::json::array({1, 5, 0}));
   const Outcome drawn = run(draw + "led.json --border snap");
   ASSERT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_NE(drawn.out.find("The start of curve 0 lies 1 mesh units from the border of the mesh; "
+  EXPECT_NE(drawn.out.find("The start of curve 0 lies 1 mesh unit from the border of the mesh; "
                            "the curve was extended"),
             std::string::npos)
       << drawn.out;

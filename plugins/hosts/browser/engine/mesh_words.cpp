@@ -15,7 +15,7 @@ std::string grouped(double number) {
 }
 
 std::string number(double value) {
-  if (value >= 9999.5 && value < 1e15) return grouped(std::round(value));
+  if (value >= 999.95 && value < 1e15) return grouped(std::round(value));
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);
   return text;
