@@ -186,9 +186,10 @@ void tell_strokes(const Options& options) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
   if (names.empty() || options.points != "exact" || !options.written.resample.empty()) return;
-  std::fprintf(text_stream(),
-               "%s: a stroke, because the format has no way-points; .json, .vtp and .vtk have.\n",
-               names.c_str());
+  std::fprintf(
+      text_stream(),
+      "%s: written as a stroke, because only .json, .vtp and .vtk files hold way-points.\n",
+      names.c_str());
 }
 
 int run(const Options& options, const GlobalOptions& global) {
