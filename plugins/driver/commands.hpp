@@ -22,7 +22,7 @@ struct GlobalOptions {
   bool quiet = false;
   bool verbose = false;
   unsigned threads = 2;
-  unsigned seed = 1;
+  unsigned seed = 1;  ///< has no effect
 };
 
 using Command = std::function<int()>;

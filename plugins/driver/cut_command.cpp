@@ -316,7 +316,7 @@ Command add_cut(CLI::App& app, const GlobalOptions& global) {
                     "curve cuts, and the parts of planar ones");
   command->add_option("--map", o->map,
                       "JSON: where every vertex and face comes from, and the curves' vertices");
-  command->add_option("--report", o->report, "What was cut, and what the parts are, as JSON");
+  command->add_option("--report", o->report, "Numbers of the cut, and of each part, as JSON");
   command
       ->add_option("--merge", o->merge,
                    "Points closer than this fraction of an edge to a vertex, an edge or each other "

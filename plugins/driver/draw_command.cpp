@@ -101,14 +101,17 @@ Clicks clicks_of_file(const SurfaceMesh& mesh, const RepairMap* map, const Optio
 
 bool is_along_edges(const Options& options) {
   const auto holds_vertices = [](const std::string& output) { return output.ends_with(".txt"); };
-  return options.edges || std::ranges::any_of(options.outputs, holds_vertices);
+  return options.edges || (options.points == "rough" && !options.straight) ||
+         std::ranges::any_of(options.outputs, holds_vertices);
 }
 
 void check_border(const Options& options) {
   if (border_ends(options.border) == BorderEnds::kLeave || !is_along_edges(options)) return;
-  throw Error(ErrorCode::kBadUsage,
-              "--border snap extends ends to points between vertices, which neither --edges nor a "
-              ".txt file can reach; leave --border out, or use --straight and another format.");
+  throw Error(
+      ErrorCode::kBadUsage,
+      "--border snap extends ends to points between vertices, which no path along edges can "
+      "reach (--edges, --points rough, a .txt file); leave --border out, or use --straight "
+      "and another format.");
 }
 
 Drawing path_through(const SurfaceMesh& mesh, const Clicks& clicks, const Options& options,
@@ -183,9 +186,10 @@ void tell_strokes(const Options& options) {
     if (!holds_way_points(output)) names += (names.empty() ? "" : ", ") + output;
   }
   if (names.empty() || options.points != "exact" || !options.written.resample.empty()) return;
-  std::fprintf(text_stream(),
-               "%s: a stroke, because the format has no way-points; .json, .vtp and .vtk have.\n",
-               names.c_str());
+  std::fprintf(
+      text_stream(),
+      "%s: written as a stroke, because only .json, .vtp and .vtk files hold way-points.\n",
+      names.c_str());
 }
 
 int run(const Options& options, const GlobalOptions& global) {

@@ -32,9 +32,10 @@ Failure current_failure() {
   try {
     throw;
   } catch (const Error& error) {
-    const char* hint = error.code() == ErrorCode::kBadMesh
-                           ? " (talweg info lists all defects, and what --repair can do)"
-                           : "";
+    const char* hint =
+        error.code() == ErrorCode::kBadMesh
+            ? " (talweg info lists the defects and says whether --repair can mend them)"
+            : "";
     return {exit_code_of(error.code()), error.what() + std::string(hint)};
   } catch (const WaitCancelled& waiting) {
     return {kCancelled, "cancelled while " + waiting.path +

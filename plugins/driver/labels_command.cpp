@@ -109,8 +109,8 @@ LabelOutput new_labels(const LabelsOptions& o, const LabelNetwork& network, cons
   if (!lost.empty()) {
     const std::string note = note_on_lost(lost, by_face, output.of_faces, read.names);
     const char* other = by_face == output.of_faces ? "."
-                        : by_face                  ? " (--labels-per face does)."
-                                                   : " (--labels-per vertex does).";
+                        : by_face                  ? " (use --labels-per face)."
+                                                   : " (use --labels-per vertex).";
     warnings.push_back(note + other);
   }
   std::size_t alone = 0;
@@ -133,14 +133,14 @@ std::string bytes_of(const LabelsOptions& o, const LabelOutput& output) {
 
 std::string summary_of(const LabelNetwork& network, double ms) {
   const SmoothingReport& t = network.total;
-  std::string text =
-      fmt::format("{} regions, {} borders, {} junctions; {} borders kept closer, {} as given\n",
-                  network.regions.size(), network.borders.size(), network.junctions,
-                  network.tightened, network.as_drawn);
+  std::string text = fmt::format(
+      "{} regions, {} borders, {} junctions; {} borders got a smaller slack, {} stayed as given\n",
+      network.regions.size(), network.borders.size(), network.junctions, network.tightened,
+      network.as_drawn);
   if (network.moved > 0) {
     text += fmt::format(
-        "{} junctions and ends moved; the sum of the unit tangents there is {:.3g} in the mean, "
-        "was {:.3g}\n",
+        "{} junctions and ends moved; at all that may move the sum of the borders' unit tangents "
+        "has the mean length {:.3g}, was {:.3g}\n",
         network.moved, network.imbalance_after, network.imbalance_before);
   }
   text += fmt::format("total curvature {:.6g} rad, was {:.6g}; length {:.6g}, was {:.6g}\n",
@@ -290,7 +290,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
   command->add_option("--labels-property", o->property,
                       "The property of LABELS to read (default: the first of label, labels, "
                       "segment, region, class, scalar_label)");
-  command->add_option("--tau", o->network.tau, "More keeps closer to the labels' borders")
+  command->add_option("--tau", o->network.tau, "Higher values keep closer to the labels' borders")
       ->capture_default_str();
   command->add_option(
       "--slack", o->network.slack,
@@ -342,7 +342,7 @@ Command add_labels(CLI::App& app, const GlobalOptions& global) {
       ->add_option("--cut-labels", o->cut_labels,
                    "The exact labels of the faces of the mesh that --cut writes")
       ->needs(cut);
-  command->add_option("--report", o->report, "What was done and measured, as JSON");
+  command->add_option("--report", o->report, "Steps and measures, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);
   add_point_options(*command, o->written);

@@ -62,7 +62,8 @@ int run(const std::vector<std::string>& words) {
   app.footer(
       "Exit codes: 0 done, 1 bad usage, 2 bad input, 3 not converged or a limit was reached (the "
       "result is written), 4 cancelled, 5 internal error.\n"
-      "An output named - is the standard output; -.vtp also gives the format.\n"
+      "An output named - is the standard output; an output named -.vtp is the standard output in "
+      "the format .vtp.\n"
       "Example:\n"
       "  talweg draw vessel.ply --through 12,845,9001 -o drawn.obj\n"
       "  talweg smooth vessel.ply --curve drawn.obj --tau 2 -o smooth.vtp --report smooth.json\n"
@@ -73,7 +74,7 @@ int run(const std::vector<std::string>& words) {
   app.add_option("--threads", global.threads, "Threads to use at most; never changes a result")
       ->check(CLI::Range(1U, 1024U))
       ->capture_default_str();
-  app.add_option("--seed", global.seed, "Seed of random numbers; Talweg's own commands use none")
+  app.add_option("--seed", global.seed, "Has no effect: no command uses random numbers")
       ->capture_default_str();
 
   std::vector<std::pair<const CLI::App*, Command>> commands;

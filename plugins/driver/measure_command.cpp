@@ -77,7 +77,7 @@ Command add_measure(CLI::App& app, const GlobalOptions& global) {
       "--edge", o->measurement.edge,
       "Length of the windows in which turning is measured, mesh units; by default the "
       "mean edge near each curve. To compare curves, give the same length for all");
-  command->add_option("--report", o->report, "What was measured, as JSON");
+  command->add_option("--report", o->report, "All measures, as JSON");
   add_repair_option(*command, o->repair);
   add_unit_option(*command, o->mesh_units);
   return [o, &global] {

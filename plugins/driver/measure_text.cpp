@@ -64,9 +64,9 @@ std::string measure_table(const CurveMeasurement& m, const std::string& name,
     text += deviation_lines("all", m.deviation, m.curves.total.edge);
   }
   text +=
-      "Lengths in mesh units, curvatures in radians, turns (in windows of one and two mean edges "
-      "near the curve, and at one point) in degrees; tortuosity: length over the distance of the "
-      "ends.\n";
+      "Lengths in mesh units, curvatures in radians, turns in degrees (in windows of h and 2 h, "
+      "where h is --edge or the mean edge near the curve, and at one point); tortuosity: length "
+      "over the straight distance between the ends, - for loops.\n";
   for (const std::string& warning : m.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

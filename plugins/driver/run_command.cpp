@@ -354,7 +354,7 @@ int parse_and_run(std::vector<std::string> arguments, const GlobalOptions& given
   Files files;
   add_files(app, plugin, files);
   const PluginOptions options(app, plugin);
-  app.add_flag("-q,--quiet", global.quiet, "Print nothing but errors");
+  app.add_flag("-q,--quiet", global.quiet, "Print errors only");
   app.add_flag("-v,--verbose", global.verbose, "Print the report and what the plugin logs");
   arguments.erase(arguments.begin());
   app.allow_extras();  // unknown arguments get a message with a suggestion

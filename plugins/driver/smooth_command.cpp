@@ -118,10 +118,11 @@ Command add_smooth(CLI::App& app, const GlobalOptions& global) {
       ->capture_default_str();
   command->add_option("--summary", o->many.summary,
                       "All reports as one table (CSV), one line per curve, failures too");
-  command->add_flag("--resume", o->many.resume,
-                    "Keep outputs of an earlier run of the list, also of one that was killed, if "
-                    "--summary shows that they were made from the same files, options and version; "
-                    "make only the others");
+  command->add_flag(
+      "--resume", o->many.resume,
+      "Keep outputs of an earlier run of the list if --summary, or the file SUMMARY.part "
+      "that a killed run left, shows that they were made from the same files, options "
+      "and version; make only the others");
   return [o, &global] { return run(*o, global); };
 }
 

@@ -59,7 +59,7 @@ void add_outputs(CLI::App& app, SmoothOptions& o) {
   app.add_option("-o,--output", o.outputs,
                  "Smoothed curves; the ending chooses the format; may be given several times");
   add_point_options(app, o.written);
-  app.add_option("--report", o.report, "What was done and measured, as JSON");
+  app.add_option("--report", o.report, "Steps and measures, as JSON");
 }
 
 /// Adds an option with one value for all curves, or one value per curve.

@@ -7,9 +7,10 @@
 
 namespace talweg::driver {
 
-/// "; did you mean WORD?" for the nearest known word that begins with the written word, or differs
-/// from it by one or two letters that are wrong, missing, superfluous or exchanged. Empty if no
-/// known word is near.
+/// "; did you mean WORD?" for the nearest known word. A word is near if it begins with the written
+/// word (of three letters or more), or differs from it by one letter (two, if the written word has
+/// five or more) that is wrong, missing, superfluous or exchanged. Empty if no known word is near.
+/// Leading hyphens do not count.
 std::string suggestion(std::string_view written, std::span<const std::string> known);
 
 }  // namespace talweg::driver

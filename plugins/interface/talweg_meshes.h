@@ -39,7 +39,7 @@ enum { TALWEG_OF_VERTICES = 1, TALWEG_OF_TRIANGLES = 2, TALWEG_OF_CORNERS = 3 };
 enum {
   TALWEG_CARRY_LINEAR = 1,   /* linear interpolation, for real numbers */
   TALWEG_CARRY_ROUNDED = 2,  /* linear interpolation, rounded to whole numbers: colours of 8 bits */
-  TALWEG_CARRY_NEAREST = 3,  /* values of the nearest corner, the first of several: labels, ids */
+  TALWEG_CARRY_NEAREST = 3,  /* values of the nearest corner (the first of equally near ones): labels, ids */
   TALWEG_CARRY_DIRECTION = 4 /* linear interpolation, scaled to length 1: normals; 3 columns */
 };
 

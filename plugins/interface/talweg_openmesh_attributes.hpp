@@ -196,7 +196,7 @@ inline std::vector<std::uint32_t> entries_of(const talweg_attribute& attribute, 
   plugin::check_array(given, 3, "The corners of the attribute \"" + name + "\"");
   if (given.rows != faces) {
     bad_attribute(name, "has corners for " + std::to_string(given.rows) +
-                            " triangles, and the mesh has " + std::to_string(faces));
+                            " triangles, but the mesh has " + std::to_string(faces));
   }
   if (given.type != TALWEG_UINT32) bad_attribute(name, "has corners that are not 32-bit indices");
   std::vector<std::uint32_t> entries(3 * faces);
@@ -207,11 +207,13 @@ inline std::vector<std::uint32_t> entries_of(const talweg_attribute& attribute, 
       const std::uint32_t entry = entries[3 * f + k];
       if (entry < attribute.values.rows) continue;
       if (entry == TALWEG_NO_ENTRY && is_real(attribute.values.type)) continue;
-      bad_attribute(name, entry == TALWEG_NO_ENTRY
-                              ? "has a corner without an entry, which whole numbers cannot have"
-                              : "has the entry " + std::to_string(entry) + " at triangle " +
-                                    std::to_string(f) + ", and " +
-                                    std::to_string(attribute.values.rows) + " entries");
+      bad_attribute(name,
+                    entry == TALWEG_NO_ENTRY
+                        ? "has whole numbers and a corner without an entry; only real numbers "
+                          "may lack entries"
+                        : "has the entry " + std::to_string(entry) + " at triangle " +
+                              std::to_string(f) + ", but only " +
+                              std::to_string(attribute.values.rows) + " entries");
     }
   }
   return entries;

@@ -193,8 +193,9 @@ class OpenMeshWorker {
     for (const openmesh::AttributeProperty& property : attributes_) {
       if (openmesh::detail::find_property(made.mesh, property.element, property.name,
                                           *property.access) == nullptr) {
-        said.push_back("The mesh that was made does not have the property \"" + property.name +
-                       "\"; all its values are " + std::to_string(property.fill) + ".");
+        said.push_back("The new mesh does not have the property \"" + property.name +
+                       "\"; all values of this attribute are " + std::to_string(property.fill) +
+                       ".");
       }
       made.attributes.push_back(property);
     }
@@ -216,9 +217,10 @@ class OpenMeshWorker {
                    Values& values) {
     if (numbers.empty()) return false;
     if (numbers.size() != count) {
-      throw Failure(TALWEG_BAD_USAGE, std::string(id) + " has " + std::to_string(numbers.size()) +
-                                          " values, but the mesh has " + std::to_string(count) +
-                                          " elements for them.");
+      throw Failure(TALWEG_BAD_USAGE,
+                    std::string(id) + " has " + std::to_string(numbers.size()) +
+                        " values, but the mesh has " + std::to_string(count) +
+                        (std::is_same_v<Handle, OpenMesh::FaceHandle> ? " faces." : " vertices."));
     }
     for (std::size_t k = 0; k < count; ++k) {
       auto& value = values[Handle(static_cast<int>(k))];

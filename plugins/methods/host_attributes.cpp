@@ -90,7 +90,7 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& giv
   const std::string name = given.name;
   plugin::check_array(given.corners, 3, "The corners of the attribute \"" + name + "\"");
   if (given.corners.rows != faces) {
-    bad(name, fmt::format("has corners for {} triangles, and the mesh has {}", given.corners.rows,
+    bad(name, fmt::format("has corners for {} triangles, but the mesh has {}", given.corners.rows,
                           faces));
   }
   if (given.corners.type != TALWEG_UINT32) bad(name, "has corners that are not 32-bit indices");
@@ -101,7 +101,8 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const talweg_attribute& giv
     std::memcpy(corners[f].data(), bytes + f * stride, sizeof corners[f]);
     for (const std::uint32_t entry : corners[f]) {
       if (entry < entries || entry == TALWEG_NO_ENTRY) continue;
-      bad(name, fmt::format("has the entry {} at triangle {}, and {} entries", entry, f, entries));
+      bad(name,
+          fmt::format("has the entry {} at triangle {}, but only {} entries", entry, f, entries));
     }
   }
   return corners;

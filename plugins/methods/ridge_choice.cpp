@@ -16,8 +16,8 @@ std::vector<talweg_parameter> ridge_choice(std::uint32_t stage) {
   return {
       number("ridges", "Snap to ridges", "", 0, {0, 1, 0, 1},
              "How strongly ridges, creases and valleys beside the drawing attract the drawing. "
-             "Clicks move, too; pins stay. 0: not at all; at 1 a ridge counts if the surface turns "
-             "by 10 degrees there, at 0.5 if by 20.",
+             "Clicks move, too; pins stay. 0: not at all. At the strength s a ridge attracts the "
+             "drawing if the surface turns by more than 10 degrees / s there: 10 at 1, 20 at 0.5.",
              stage),
       choice("ridge_kind", "Kind of ridges", "both", kKinds, kKindLabels,
              "convex: ridges, which stand out; concave: valleys; both.", stage),

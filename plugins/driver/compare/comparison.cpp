@@ -61,7 +61,7 @@ std::string change_of_kind(const SurfaceMesh& mesh, std::span<const SurfaceCurve
     return fmt::format("touches itself {} times", after.contacts - before.contacts);
   }
   if (after.pieces != before.pieces && after.pieces != before.bare && after.bare != before.bare) {
-    return "separates the mesh otherwise";
+    return "separates the mesh into other pieces";
   }
   return {};
 }

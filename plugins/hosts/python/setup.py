@@ -1,5 +1,6 @@
 """Puts the plugins into the wheel, which is therefore for one platform and any Python 3. The plugins come from
-the folders of TALWEG_PLUGIN_PATH, from the build of a checkout, or from a compilation of the sources."""
+the folders of TALWEG_PLUGIN_PATH, from the build of a checkout, or from a compilation of the sources: from the first
+of these that applies."""
 
 import os
 import shutil
@@ -26,11 +27,12 @@ MODULES = ("talweg_methods.so", "talweg_methods.dll")  # with all plugins of Tal
 def plugins(build):
     """The folder with the plugins, compiled in ``build`` if there are none."""
     named = [Path(f) for f in os.environ.get("TALWEG_PLUGIN_PATH", "").split(os.pathsep) if f]
-    for folder in named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"]:
+    folders = named or [native_sources.CHECKOUT / "build/lib/talweg/plugins"]
+    for folder in folders:
         if any((folder / module).is_file() for module in MODULES):
             return folder
     if named or not native_sources.root():
-        raise SystemExit("talweg: no talweg_methods in " + ", ".join(map(str, named)) +
+        raise SystemExit("talweg: no talweg_methods in " + ", ".join(map(str, folders)) +
                          "; build Talweg first (./run build), or name the folder of its plugins "
                          "in TALWEG_PLUGIN_PATH.")
     return native_sources.compile_plugins(build)

@@ -77,7 +77,8 @@ class Cut : public MakesMeshes<Workspace> {
     return {
         output(TALWEG_OUTPUT_MESH, "meshes", "Cut meshes", "",
                "One mesh, or one for each piece; with attributes and origin (talweg_meshes.h)."),
-        output(TALWEG_OUTPUT_REPORT, "report", "Report", "", "What was cut, and the parts.")};
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+               "Numbers of the cut, and of each part.")};
   }
 
   void run(const plugin::Parameters& parameters, const plugin::Outputs& outputs) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "curve_files.hpp"
 #include "methods/plugins.hpp"
 #include "methods/results.hpp"
@@ -65,15 +67,16 @@ class Draw : public Workspace {
   }
   static std::vector<talweg_output> outputs() {
     using plugin::output;
-    return {output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
-                   "One for each given curve, in their order."),
-            output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
-                   "1 at the given points, 0 at the points that join them."),
-            output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
-                   "The tolerance of way-points, -2 at painted points, -1 at all others. A drawing "
-                   "with exact points has this field, a drawing with rough points has not."),
-            output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-                   "Points and length of each curve and in total.")};
+    return {
+        output(TALWEG_OUTPUT_CURVES, "curves", "Drawn curves", "",
+               "One for each given curve, in their order."),
+        output(TALWEG_OUTPUT_POINT_FIELD, "given", "Given points", "",
+               "1 at the given points, 0 at the points that join them."),
+        output(TALWEG_OUTPUT_POINT_FIELD, TALWEG_EXACT, "Exact", "mesh units",
+               "The tolerance of way-points, -2 at painted points, -1 at all others. Present if "
+               "points is exact, absent if it is rough."),
+        output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
+               "Points and length of each curve and in total.")};
   }
 
   void put(const std::vector<CurveInput>& curves) override {
@@ -177,7 +180,9 @@ class Draw : public Workspace {
     for (const std::size_t pin : input.pins) {
       if (pin >= ids->size()) {
         throw Error(ErrorCode::kBadCurve,
-                    "There is no point " + std::to_string(pin) + " that could be pinned.");
+                    fmt::format("There is no point {} that could be pinned; the curve has {}, "
+                                "counted from 0.",
+                                pin, ids->size()));
       }
     }
     if (ids->size() < 2) throw Error(ErrorCode::kBadCurve, "A curve needs at least two points.");

@@ -30,7 +30,7 @@ class Envelope : public MethodWorkspace {
     return with_repair(
         {plugin::number("envelope", "Envelope", "mesh units", 0, {0, HUGE_VAL, 0, 10},
                         "How far the curve's points may go from the drawing, along the surface. "
-                        "By default the mean segment of the drawing.",
+                        "By default the mean length of the drawing's segments.",
                         TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
          plugin::integer("iterations", "Most iterations", 2000, {1, 1e6, 1, 10000},
                          "Rounds in which every point moves once."),

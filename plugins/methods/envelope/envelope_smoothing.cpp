@@ -22,8 +22,8 @@ constexpr double kStraight = 1e-6;  // radians: a smaller turn is not split
 constexpr double kFloor = 3;        // mesh edges: a shorter loop has collapsed
 constexpr int kHalvings = 30;
 constexpr double kMargin = 1e-6;  // as a fraction of an edge's length
-constexpr double kNear =
-    0.1;  // as a fraction of an edge's length: nodes so near to a vertex may pass it
+// A fraction of an edge's length: a node this near to a vertex may pass it.
+constexpr double kNear = 0.1;
 
 class EnvelopeSmoothing {
  public:

@@ -6,8 +6,8 @@ namespace talweg::plugins {
 namespace {
 
 constexpr std::uint32_t kNoNode = StrandNode::kNone;
-constexpr double kFromEnds =
-    1e-6;  // fraction of an edge's length that stays between two nodes, or a node and a vertex
+// The fraction of an edge's length that stays between two nodes, or a node and a vertex.
+constexpr double kFromEnds = 1e-6;
 
 }  // namespace
 

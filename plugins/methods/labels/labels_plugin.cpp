@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* kJunctions[] = {"fixed", "free"};
 constexpr const char* kJunctionLabels[] = {"Where the labels have them",
-                                           "Free to where the borders balance"};
+                                           "Free: moved to where the borders balance"};
 constexpr const char* kEnds[] = {"stay", "slide"};
 constexpr const char* kEndLabels[] = {"Stay", "Slide along the boundary"};
 

@@ -29,17 +29,18 @@ class Midpoints : public MethodWorkspace {
         "drawing.");
   }
   static std::vector<talweg_parameter> parameters() {
-    return with_repair({plugin::number("spacing", "Spacing of the control points", "mesh units", 0,
-                                       {0, HUGE_VAL, 0, 10},
-                                       "Measured along the drawing. By default eight mean segments "
-                                       "of the drawing.",
-                                       TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
-                        plugin::integer("degree", "Degree", 3, {1, 8, 1, 5},
-                                        "The degree of the B-spline that the scheme makes in the "
-                                        "plane."),
-                        plugin::integer("levels", "Levels", 4, {1, 8, 1, 6},
-                                        "How often the number of points is doubled."),
-                        deviation_choice()});
+    return with_repair(
+        {plugin::number("spacing", "Spacing of the control points", "mesh units", 0,
+                        {0, HUGE_VAL, 0, 10},
+                        "Measured along the drawing. By default eight times the mean "
+                        "length of the drawing's segments.",
+                        TALWEG_STAGE_RUN, TALWEG_OPTIONAL | TALWEG_OPEN_MINIMUM),
+         plugin::integer("degree", "Degree", 3, {1, 8, 1, 5},
+                         "The degree of the B-spline that the scheme makes in the "
+                         "plane."),
+         plugin::integer("levels", "Levels", 4, {1, 8, 1, 6},
+                         "How often the number of points is doubled."),
+         deviation_choice()});
   }
 
  private:

@@ -57,7 +57,7 @@ class Repair {
         output(TALWEG_OUTPUT_TRIANGLE_FIELD, "became_triangle", "Became triangle", "",
                "The triangle of the repaired mesh that each became; -1: it was dropped."),
         output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-               "The inspection, what the repair did, and the verdict before and after.")};
+               "The inspection, the changes of the repair, and the verdict before and after.")};
   }
   static talweg_status status_of(const std::exception& error) { return plugins::status_of(error); }
 

@@ -47,13 +47,13 @@ class Smooth : public SmootherWorkspace {
         output(TALWEG_OUTPUT_POINT_FIELD, "deviation", "Deviation", "mesh units",
                "Distance along the surface to the drawn curve."),
         output(TALWEG_OUTPUT_POINT_FIELD, "curvature", "Geodesic curvature", "radians",
-               "By how much the curve turns at the point; 0 at the ends."),
+               "The turning angle at each point; 0 at the ends."),
         output(
             TALWEG_OUTPUT_VERTEX_FIELD, "distance", "Distance to the drawing", "mesh units",
             "The distance that the potential is made of; infinite where no curve is reached. Far "
             "from the drawing on large meshes about a per cent off."),
         output(TALWEG_OUTPUT_REPORT, "report", "Report", "",
-               "What was done and measured, of each curve and in total."),
+               "Steps and measures, for each curve and in total."),
     };
   }
 

@@ -8,18 +8,19 @@ project=$(cd "$here/../../.." && pwd)
 suitesparse=$(cd "$1" && pwd)
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
+installed=$out/root  # the libraries
 jobs=${TALWEG_JOBS:-$(nproc)}
 configure() { # configure SOURCE BUILD CMAKE-ARGUMENT...
   source=$1 build=$2
   shift 2
   # Entries of ccache from another folder would contain its paths, which CMake would read.
   { CCACHE_DISABLE=1 cmake -S "$source" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-      -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_WINDOWS="$out/root" \
+      -DCMAKE_TOOLCHAIN_FILE="$here/toolchain.cmake" -DTALWEG_WINDOWS="$installed" \
       -DTALWEG_SUITESPARSE="$suitesparse" "$@" &&
     cmake --build "$build" --parallel "$jobs"; } >"$build.log" 2>&1 || { tail -n 20 "$build.log" >&2; exit 1; }
 }
 configure "$here/libraries" "$out/libraries"
-cmake --install "$out/libraries" --prefix "$out/root" >/dev/null
+cmake --install "$out/libraries" --prefix "$installed" >/dev/null
 configure "$here/../portable/cholmod" "$out/cholmod"
 configure "$project" "$out/talweg" -DCMAKE_INSTALL_PREFIX=/talweg -DCMAKE_INSTALL_LIBDIR=lib \
   -DTALWEG_SUPERNODAL=OFF -DTALWEG_CHOLMOD_BUILD="$out/cholmod" -DTALWEG_BUILD_TESTS=OFF \
@@ -43,7 +44,7 @@ cp "$project"/plugins/interface/*.h "$project"/plugins/interface/*.hpp "$tree/in
 
 # Licences of all that is inside.
 licences=$tree/lib/talweg/plugins/licences
-(cd "$out/root" && cp -r licences "$licences")
+cp -r "$installed/licences" "$licences"
 cp "$project/LICENSE" "$licences/talweg"
 for package in gcc-mingw-w64-x86-64-posix mingw-w64-x86-64-dev libopenmesh-dev libeigen3-dev libfmt-dev \
   nlohmann-json3-dev libcli11-dev libxxhash-dev; do

@@ -1,5 +1,6 @@
 #include "tools/picture/outward.hpp"
 
+#include <cstdint>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -7,11 +8,15 @@
 namespace talweg::picture {
 
 MeshLists turned_outward(MeshLists mesh) {
-  // The normals of a closed mesh, as long as the areas, add up to zero. The volume of a mesh with
-  // holes is that of the mesh with lids that lead to the centre.
-  constexpr double kHoles = 0.1;  // part of the area
+  // The normals of a closed mesh, weighted by area, add up to zero. The volume of a mesh with holes
+  // includes the cones from the rims to the centre.
+  constexpr double kHoles = 0.1;  // largest sum of the normals, as a fraction of the area
   Point centre = Point::Zero(), normals = Point::Zero();
-  for (const Point& p : mesh.points) centre += p / static_cast<double>(mesh.points.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      centre += mesh.points[v] / (3.0 * static_cast<double>(mesh.triangles.size()));
+    }
+  }
   double volume = 0, area = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Point p = mesh.points[a] - centre;

@@ -124,7 +124,7 @@ std::vector<double> turning(const PictureCurve& curve) {
   return angles;
 }
 
-// The middle of the window of 2 half + 1 values with the largest sum, the first of several.
+// The middle of the first window of 2 half + 1 values with the largest sum.
 std::size_t fullest_window(const std::vector<double>& values, std::size_t half) {
   double sum = 0, most = -1;
   std::size_t middle = values.size() / 2;

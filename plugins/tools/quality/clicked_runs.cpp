@@ -153,8 +153,9 @@ std::string row(const std::string& name, std::span<const ClickedRun> runs) {
 
 std::string tables(std::span<const ClickedRun> runs) {
   std::string text =
-      "| | runs | bending / taut, median | worst | turn in one h₀ [°] | worst | largest turn [°] | "
-      "worst | swing, of the shorter adjacent leg | worst | length / legs | worst | moved by an "
+      "| | runs | bending / bending of the taut curve, median | worst | turn in one h₀ [°] | worst "
+      "| largest turn at one point [°] | worst | largest distance from the legs / length of the "
+      "shorter adjacent leg | worst | length / length of the legs | worst | movement by an "
       "inserted click [h₀] | worst | time [ms] | worst | warned |\n"
       "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (std::size_t i = 0; i < runs.size();) {

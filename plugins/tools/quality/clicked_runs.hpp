@@ -16,7 +16,7 @@ struct ClickedRun {
   std::string mesh, drawing;
   std::size_t clicks = 0;
   double leg = 0;      ///< mean length of the geodesic legs
-  double missed = 0;   ///< farthest click from the result
+  double missed = 0;   ///< largest distance of a click from the result
   double bending = 0;  ///< of the result / of the taut curve, as if the drawing were a stroke
   double window_turning = 0, largest_turn = 0;
   double swing = 0;     ///< largest distance from the geodesic legs / length of the shorter

@@ -121,7 +121,7 @@ void of_sweeps(std::span<const Sweep> sweeps, std::vector<Goal>& goals) {
     if (s.steps == 0) continue;
     worst = std::max(worst, static_cast<double>(s.moves) / static_cast<double>(s.steps));
   }
-  goals.push_back(at_most("τ swept: the same, of the worst drawing",
+  goals.push_back(at_most("τ swept: curve moves by > 0.2 h₀, worst drawing",
                           fmt::format("≤ {:.0f} %", percent(kMovesOfOne)),
                           fmt::format("{:.1f} %", percent(worst)), worst, kMovesOfOne));
 }
@@ -137,7 +137,7 @@ void of_subdivisions(std::span<const Subdivision> subdivisions, std::vector<Goal
     }
     other.push_back(most);
   }
-  of_values("finer mesh: result apart from the coarse mesh's", " h₀", apart, kMedianApart,
+  of_values("finer mesh: distance from the result on the coarse mesh", " h₀", apart, kMedianApart,
             kWorstApart, goals);
   of_values("finer mesh: bending on both meshes, larger / smaller", "", other, kOther, kOther,
             goals);
@@ -153,15 +153,15 @@ void of_clicks(std::span<const ClickedRun> clicked, std::vector<Goal>& goals) {
     moved.push_back(run.inserted);
     turns.push_back(run.largest_turn * 180 / std::numbers::pi);
   }
-  of_values("clicks: farthest from the result", " h₀", missed, kMissed, kMissed, goals);
+  of_values("clicks: largest distance of a click from the result", " h₀", missed, kMissed, kMissed,
+            goals);
   of_values("clicks: bending / bending of the taut curve", "", bent, kClickedBent, kClickedBent,
             goals);
   of_values("clicks: largest turn at one point", "°", turns, kLargest, kLargest, goals);
-  of_values("clicks: farthest from the legs / length of the shorter adjacent leg", "", swings,
-            kSwing, kSwing, goals);
+  of_values("clicks: largest distance from the legs / length of the shorter adjacent leg", "",
+            swings, kSwing, kSwing, goals);
   of_values("clicks: length / length of the legs", "", longer, kLonger, kLonger, goals);
-  of_values("clicks: movement when a point of the result becomes a click", " h₀", moved, kInserted,
-            kInserted, goals);
+  of_values("clicks: movement by an inserted click", " h₀", moved, kInserted, kInserted, goals);
 }
 
 /// Results of one hand with different samplings.
@@ -172,10 +172,10 @@ void of_hands(std::span<const HandRun> hands, std::vector<Goal>& goals) {
     ratio.push_back(run.ratio);
     bending.push_back(run.bending);
   }
-  of_values("hands: apart from the same hand, sampled 10 times per edge", " h₀", apart,
-            kMedianHandsApart, kWorstHandsApart, goals);
-  of_values("hands: bending of both samplings, larger / smaller", "", ratio, kMedianHandsOther,
-            kWorstHandsOther, goals);
+  of_values("hands: distance from 10 per edge of the same hand", " h₀", apart, kMedianHandsApart,
+            kWorstHandsApart, goals);
+  of_values("hands: bending, larger / smaller, against 10 per edge of the same hand", "", ratio,
+            kMedianHandsOther, kWorstHandsOther, goals);
   of_values("hands: bending", "", bending, kHandsBent, kHandsBent, goals);
 }
 

@@ -143,11 +143,10 @@ std::vector<HandRun> hand_runs(const Subject& subject, std::size_t hands, std::u
 
 std::string tables(std::span<const HandRun> runs) {
   std::string text =
-      "| samples | strokes | slack, median [h₀] | bending, median | worst | largest turn [°] | off "
-      "the "
-      "way, median [h₀] | worst | apart, median [h₀] | worst | bending over or under, median | "
-      "worst "
-      "| ms, median | worst |\n|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
+      "| samples | strokes | slack, median [h₀] | bending, median | worst | largest turn at one "
+      "point [°] | off the way, median [h₀] | worst | distance from 10 per edge, median [h₀] | "
+      "worst | bending, larger / smaller, median | worst | ms, median | worst |\n"
+      "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const NamedSampling& named : samplings()) {
     std::vector<double> slack, bending, turn, off, apart, ratio, ms;
     for (const HandRun& run : runs) {

@@ -106,8 +106,8 @@ std::vector<RoughRun> rough_runs(const Subject& subject, std::span<const NamedPa
 
 std::string tables(std::span<const RoughRun> runs) {
   std::string text =
-      "| roughness [h₀] | runs | told, median | bending, median | worst | swing, median | least | "
-      "apart, median [h₀] | worst | time, median | worst | warned |\n"
+      "| roughness [h₀] | runs | reported, median | bending, median | worst | swing, median "
+      "| least | apart, median [h₀] | worst | time, median | worst | warned |\n"
       "|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const double roughness : kRoughness) {
     std::vector<double> told, bending, swing, apart, time;

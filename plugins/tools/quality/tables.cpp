@@ -174,8 +174,7 @@ std::string tables(std::span<const Sweep> sweeps) {
 std::string tables(std::span<const Subdivision> subdivisions) {
   std::string text =
       "| mesh | drawing | bending on the mesh | divided once | twice | curvature on the mesh [rad] "
-      "| "
-      "divided once | twice | apart, once [h₀] | twice [h₀] |\n"
+      "| divided once | twice | distance, once [h₀] | twice [h₀] |\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const Subdivision& s : subdivisions) {
     text += fmt::format(

@@ -92,7 +92,7 @@ export async function longOpeningCanBeEnded() {
   assert.equal((await page.curves()).length, 2);
 }
 
-/** The text of `talweg info` is computed only on request, since it takes longer than opening. */
+/** Sizes and defects of the mesh are computed only on request, since it takes longer than opening. */
 export async function allAboutTheMesh() {
   const page = await openPage();
   await page.openMesh(mesh('twice'));

@@ -180,6 +180,20 @@ class Pieces(Case):
         (whole,) = self.pieces(filter)
         self.assertLessEqual(set(places(chains)), set(places(whole)))
 
+    def test_a_stretch_of_a_loop_is_one_line(self):
+        # The loops start inside each other, and only the part inside both is kept.
+        other = [(4.25, 4.25, 0.0), (1.25, 4.25, 0.0), (1.25, 1.25, 0.0), (4.25, 1.25, 0.0),
+                 (4.25, 4.25, 0.0)]
+        filter = cut(LOOP, other, Keep="left", Open=1)
+        self.update(filter)
+        chains = output(filter, 1)
+        self.assertEqual(cell_values(chains, "curve"), [0, 1])
+        for line, start in zip(lines_of(chains), (LOOP[0], other[0])):
+            ends = [chains.GetPoint(k) for k in (line[0], line[-1])]
+            self.assertNotEqual(*ends)
+            self.assertNotIn(start, ends)
+            self.assertIn(start, [chains.GetPoint(k) for k in line])
+
     def test_the_report_is_in_the_field_data(self):
         filter = cut(LINE, Open=1, Split=1)
         self.update(filter)

@@ -78,8 +78,15 @@ class Wheel(unittest.TestCase):
     def test_no_wheel_without_plugins(self):
         done = self.build(self.folder)
         self.assertNotEqual(done.returncode, 0)
-        self.assertIn("build Talweg first", done.stdout)
+        self.assertIn(f"no talweg_methods in {self.folder}; build Talweg first", done.stdout)
         self.assertEqual(list(self.folder.glob("*.whl")), [])
+
+    def test_without_plugins_and_sources_the_folder_of_the_build_is_named(self):
+        done = self.build("")
+        self.assertNotEqual(done.returncode, 0)
+        checkout = Path("/", *(self.folder / "source").resolve().parts[:-3])
+        self.assertIn(f"no talweg_methods in {checkout / 'build/lib/talweg/plugins'}; build Talweg first",
+                      done.stdout)
 
     def test_near_the_root_of_the_file_system(self):
         # The files as after pip install --target.

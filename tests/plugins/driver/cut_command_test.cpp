@@ -348,9 +348,12 @@ TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
   ASSERT_EQ(run("cut plane.ply --curve led.json -o half.ply --split --border leave").code, 0);
   EXPECT_NEAR(test::area(read_mesh(file("half-0.ply"))), 50, 1e-4);
 
-  for (const char* how : {"led.txt --border snap", "led.json --edges --border snap"}) {
+  for (const char* how : {"led.txt --border snap", "led.json --edges --border snap",
+                          "led.json --points rough --border snap"}) {
     expect_failure(draw + how, 1, {"--border snap", "between vertices"});
   }
+  const std::string rough = "draw plane.ply --through 56,64 --points rough --straight -o ";
+  EXPECT_EQ(run(rough + "rough.json --border snap").code, 0);
 }
 
 TEST_F(CutCommand, AStrokeOverTheEdgesIsSmoothedAndCutThere) {

@@ -264,7 +264,7 @@ TEST_F(IslandLabels, AreNamedWhereFacesCannotHaveThem) {
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(labels_in("new.txt").size(), 128U);
   EXPECT_NE(outcome.out.find("Labels 7 (1 vertex) and 9 (1 vertex) cover no face: the new labels "
-                             "of faces do not have them (--labels-per vertex does)."),
+                             "of faces do not have them (use --labels-per vertex)."),
             std::string::npos)
       << outcome.out;
 }

@@ -167,8 +167,8 @@ TEST_F(DriverWayPoints, RoughDrawingsAreThePathAlone) {
 TEST_F(DriverWayPoints, DrawTellsWhichFilesAreStrokes) {
   const std::string draw = "draw hills.ply --through 130,760 ";
   EXPECT_EQ(run(draw + "-o a.obj -o a.json -o a.txt").out,
-            "a.obj, a.txt: a stroke, because the format has no way-points; .json, .vtp and .vtk "
-            "have.\n");
+            "a.obj, a.txt: written as a stroke, because only .json, .vtp and .vtk files hold "
+            "way-points.\n");
   EXPECT_EQ(run(draw + "-o a.json -o a.vtp -o a.vtk").out, "");
   EXPECT_EQ(run(draw + "-o a.obj --points rough").out, "");
   EXPECT_EQ(run("-q " + draw + "-o a.obj").out, "");

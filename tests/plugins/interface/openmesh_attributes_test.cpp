@@ -151,7 +151,7 @@ TEST_F(OpenMeshPlugin, BadAttributesAreRefused) {
   host::Attribute corners = attribute("uv", TALWEG_OF_CORNERS, 1, {0, 1});
   corners.corners.assign(lists.triangles.size(), {0, 1, 2});
   EXPECT_EQ(refusal_of(corners),
-            "The attribute \"uv\" has the entry 2 at triangle 0, and 2 entries.");
+            "The attribute \"uv\" has the entry 2 at triangle 0, but only 2 entries.");
   instance.set_attributes({good});  // the refused attributes left no trace
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "no error");
 }
@@ -197,7 +197,7 @@ TEST_F(OpenMeshPlugin, LostPropertiesAreReported) {
   run("scratch");
   ASSERT_EQ(said.size(), 1U);
   EXPECT_TRUE(said[0].starts_with(
-      "The mesh that was made does not have the property \"x\"; all its values are "))
+      "The new mesh does not have the property \"x\"; all values of this attribute are "))
       << said[0];
   EXPECT_EQ(instance.attributes(0).at(0).values, std::vector<double>(3, 0));
   const host::Origin origin = instance.origin(0);

@@ -53,7 +53,7 @@ TEST_F(OpenMeshPlugin, FieldsAreProperties) {
   EXPECT_EQ(sentence_of([&] { run("copy"); }), "seeds has vertex 999, and the mesh has 49.");
   instance.set("weight", std::vector<double>{1, 2});
   EXPECT_EQ(sentence_of([&] { run("copy"); }),
-            "weight has 2 values, but the mesh has 49 elements for them.");
+            "weight has 2 values, but the mesh has 49 vertices.");
 }
 
 TEST_F(OpenMeshPlugin, MeshesThatOpenMeshCannotHoldAreRefused) {

@@ -264,7 +264,8 @@ TEST_F(CutPlugin, RefusesAttributesThatDoNotFit) {
             "The attribute \"n\" is a direction and has 1 columns, not 3.");
   host::Attribute shared = attribute("uv", TALWEG_OF_CORNERS, TALWEG_CARRY_LINEAR, 2, V{0, 0});
   shared.corners.assign(subject.lists.triangles.size(), {0, 0, 1});
-  EXPECT_EQ(refusal(shared), "The attribute \"uv\" has the entry 1 at triangle 0, and 1 entries.");
+  EXPECT_EQ(refusal(shared),
+            "The attribute \"uv\" has the entry 1 at triangle 0, but only 1 entries.");
   const host::Attribute good = attribute("a", TALWEG_OF_VERTICES, TALWEG_CARRY_LINEAR, 1, V(n));
   EXPECT_EQ(sentence_of([&] {
               instance.set_attributes({good, good});

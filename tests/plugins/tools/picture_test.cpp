@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -5,9 +6,11 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "core/small_meshes.hpp"
 #include "talweg/intrinsic/error.hpp"
 #include "tools/picture/arguments.hpp"
 #include "tools/picture/corner_normals.hpp"
@@ -174,14 +177,44 @@ MeshLists unit_box() {
   return box;
 }
 
-TEST(TurnedOutward, TurnsClosedMeshesOnly) {
-  const MeshLists box = unit_box();
+MeshLists turned_over(MeshLists mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+/// A sphere with a small hole at its top.
+MeshLists punctured_sphere() {
+  MeshLists sphere = test::sphere(3);
+  std::erase_if(sphere.triangles, [&](const Triangle& t) {
+    return std::ranges::all_of(t, [&](auto v) { return sphere.points[v].z() > 0.9; });
+  });
+  return sphere;
+}
+
+TEST(TurnedOutward, TurnsMeshesWhoseNormalsCancel) {
+  MeshLists box = unit_box();
   EXPECT_EQ(turned_outward(box).triangles, box.triangles);
-  MeshLists inside_out = box;
-  for (Triangle& t : inside_out.triangles) std::swap(t[1], t[2]);
-  EXPECT_EQ(turned_outward(inside_out).triangles, box.triangles);
-  inside_out.triangles.resize(10);  // without a side: its inside may well be shown
-  EXPECT_EQ(turned_outward(inside_out).triangles, inside_out.triangles);
+  EXPECT_EQ(turned_outward(turned_over(box)).triangles, box.triangles);
+  const MeshLists punctured = punctured_sphere();
+  EXPECT_LT(punctured.triangles.size(), test::sphere(3).triangles.size());
+  EXPECT_EQ(turned_outward(punctured).triangles, punctured.triangles);
+  EXPECT_EQ(turned_outward(turned_over(punctured)).triangles, punctured.triangles);
+  box.triangles.resize(10);  // without the side x = 1
+  EXPECT_EQ(turned_outward(box).triangles, box.triangles);
+  EXPECT_EQ(turned_outward(turned_over(box)).triangles, turned_over(box).triangles);
+  box.triangles.resize(8);  // without x = 0, too: a tube
+  EXPECT_EQ(turned_outward(box).triangles, box.triangles);
+  EXPECT_EQ(turned_outward(turned_over(box)).triangles, box.triangles);
+}
+
+TEST(TurnedOutward, VerticesWithoutAFaceChangeNothing) {
+  const MeshLists correct = punctured_sphere();
+  for (const Point& unused : {Point(0, 0, -1e5), Point(0, 0, 1e5), Point::Constant(NAN).eval()}) {
+    MeshLists mesh = correct;
+    mesh.points.push_back(unused);
+    EXPECT_EQ(turned_outward(mesh).triangles, correct.triangles) << unused.transpose();
+    EXPECT_EQ(turned_outward(turned_over(mesh)).triangles, correct.triangles) << unused.transpose();
+  }
 }
 
 TEST(Render, TheViewIsFromASideThatShowsTheCurve) {

@@ -266,8 +266,9 @@ TEST(Goals, SteadinessGoalsCountStepsAndWorstCases) {
   EXPECT_EQ(goal(reached, "rises").reached, "2.0 %");
   EXPECT_FALSE(goal(reached, "moves").met);
   EXPECT_EQ(goal(reached, "worst drawing").reached, "12.0 %");
-  EXPECT_EQ(goal(reached, "apart from the coarse mesh's, median").reached, "0.4 h₀");
-  EXPECT_EQ(goal(reached, "apart from the coarse mesh's, worst").reached, "0.6 h₀; within in 50 %");
+  EXPECT_EQ(goal(reached, "the result on the coarse mesh, median").reached, "0.4 h₀");
+  EXPECT_EQ(goal(reached, "the result on the coarse mesh, worst").reached,
+            "0.6 h₀; within in 50 %");
   EXPECT_EQ(goal(reached, "larger / smaller, worst").reached, "1.25; within in 50 %");
   EXPECT_TRUE(tables(reached).starts_with("| goal | asked | reached | met |\n|---|"));
   EXPECT_TRUE(goals({}, {}, {}).empty());
@@ -282,7 +283,7 @@ TEST(Goals, ClickGoalsUseTheRunsOfClicks) {
   const std::vector<quality::ClickedRun> runs{good, far};
   const std::vector<Goal> reached = goals({}, {}, {}, runs);
   EXPECT_EQ(reached.size(), 12U);
-  EXPECT_TRUE(goal(reached, "clicks: farthest from the result, worst").met);
+  EXPECT_TRUE(goal(reached, "clicks: largest distance of a click from the result, worst").met);
   EXPECT_EQ(goal(reached, "shorter adjacent leg, median").reached, "0.35");
   EXPECT_FALSE(goal(reached, "shorter adjacent leg, worst").met);
   EXPECT_EQ(goal(reached, "clicks: largest turn at one point, worst").reached,

@@ -27,7 +27,8 @@ class Engine {
   /// The UCUM code of the mesh's unit, for files that name a unit; empty: the unit of the mesh's
   /// file.
   Answer set_unit(const std::string& unit);
-  /// The text of `talweg info` about the mesh. It takes several times as long as opening the mesh.
+  /// Sizes and defects of the mesh as a text (mesh_words.hpp). It takes several times as long as
+  /// opening the mesh.
   Answer words() const;
   /// A mesh file for a first try.
   Answer sample() const;

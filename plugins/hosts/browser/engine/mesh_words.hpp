@@ -7,7 +7,8 @@
 
 namespace talweg::browser {
 
-/// The text of `talweg info`, from a report of talweg.repair, one fact on each line.
+/// Sizes and defects of the mesh, from a report of talweg.repair, one on each line. `talweg info`
+/// has more.
 std::string words_of(const host::Results& inspection);
 
 /// The first lines of this text, for a mesh that is too large to be inspected while the user waits.

@@ -12,13 +12,14 @@ OffsetRow::OffsetRow(QWidget* parent) : QWidget(parent) {
                            "smoothed curve, or from all."));
   distance_ = new SignificantBox(this);
   distance_->setObjectName("talwegOffsetDistance");
-  distance_->setToolTip(tr("How far, along the surface, in mesh units."));
+  distance_->setToolTip(tr("The distance along the surface, in mesh units."));
   side_ = new QComboBox(this);
   side_->setObjectName("talwegOffsetSide");
   side_->addItem(tr("Both sides"), "both");
   side_->addItem(tr("Left"), "left");
   side_->addItem(tr("Right"), "right");
-  side_->setToolTip(tr("Seen along the curve from outside; on one side there are no caps."));
+  side_->setToolTip(
+      tr("The side as seen along the curve from outside; offsets on one side have no caps."));
   auto* row = row_of({button_, distance_, side_});
   row->setContentsMargins(0, 0, 0, 0);
   setLayout(row);

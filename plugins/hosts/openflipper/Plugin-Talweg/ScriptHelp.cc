@@ -44,7 +44,7 @@ std::vector<ScriptSlot> ScriptHelp::all() {
       {"setTau(int,double)", tr("0: straight lines; higher values keep closer to the drawing."),
        "meshId;tau", mesh + tr(";0 or more")},
       {"setSlack(int,double)", tr("How exact the drawing is."), "meshId;slack",
-       mesh + tr(";mesh units; negative: from the drawing").replace("; negative", ", negative")},
+       mesh + tr(";mesh units, negative: from the drawing")},
       {"setMaxDeviation(int,double)", tr("The largest deviation; chooses tau and slack."),
        "meshId;bound", mesh + tr(";mesh units, 0: no bound")},
       {"setEnds(int,QString)", tr("The treatment of the ends of curves that are not closed."),
@@ -113,7 +113,7 @@ std::vector<ScriptSlot> ScriptHelp::all() {
        mesh + tr(";nothing, deviation, distance or potential")},
       {"showComb(int,bool)", tr("Shows combs of curvature along the curves."), "meshId;with",
        mesh + tr(";whether the combs are shown")},
-      {"largest(int,QString)", tr("Marks the place of the largest value, and returns it."),
+      {"largest(int,QString)", tr("Marks the place of the largest value, and returns the place."),
        "meshId;what", mesh + tr(";nothing, deviation or curvature")},
   };
 }

@@ -487,7 +487,7 @@ bool Session::split(bool lids, std::vector<int>& parts) {
       const QString name = QString("%1 part %2").arg(name_).arg(parts.size() + 1);
       parts.push_back(host_.add_mesh(name, std::move(part)));
     }
-    host_.say(QString("%1 was split into %2 new meshes; %1 itself is unchanged.")
+    host_.say(QString("Parts of %1 as new meshes: %2; %1 itself is unchanged.")
                   .arg(name_)
                   .arg(parts.size()));
   });

@@ -86,15 +86,18 @@ void give_chains(const std::vector<host::Mesh>& meshes, const std::vector<host::
       }
       line.clear();
     };
-    for (std::uint32_t place = 0; place < length; ++place) {
-      const auto at = chains[c].find(place);
+    const bool closed = origins.front().closed[c] != 0;
+    std::uint32_t first = 0;  // in a gap, if the curve is closed and has gaps
+    while (closed && !whole && chains[c].contains(first)) ++first;
+    for (std::uint32_t k = 0; k < length; ++k) {
+      const auto at = chains[c].find((first + k) % length);
       if (at == chains[c].end()) {
         end_line();
       } else {
         line.push_back(points->InsertNextPoint(at->second.data()));
       }
     }
-    if (whole && origins.front().closed[c] != 0 && !line.empty()) line.push_back(line.front());
+    if (whole && closed && !line.empty()) line.push_back(line.front());
     end_line();
   }
   out.SetPoints(points);

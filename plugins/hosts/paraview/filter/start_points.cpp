@@ -157,8 +157,9 @@ std::vector<Vector> start_points(vtkPolyData& mesh, const Vector& eye, const Vec
   Sight sight(*part, eye == focus ? along(centre, view.forwards, -1000 * size) : eye, view.forwards,
               size);
   const double width = half_length(box, view.right), height = half_length(box, view.up);
-  // A mesh with gaps or branches has several rows. The best row is completely visible and has the
-  // smallest range of depth.
+  // Seven rows of three places in the view are tried, because a mesh may have gaps and branches. In
+  // the best row all three places meet the mesh; it has a small range of depth and is near the
+  // middle.
   std::vector<Vector> points;
   double best = std::numeric_limits<double>::infinity();
   for (const double row : {0.0, 0.2, -0.2, 0.4, -0.4, 0.6, -0.6}) {

@@ -92,7 +92,7 @@ class Report:
     mollification: Optional[float] = None  #: largest lengthening of an edge for the paper's distance
     crossings_before: Optional[int] = None
     crossings_after: Optional[int] = None
-    termination: Optional[str] = None  #: "converged", "missed", "collapsed", "limit"
+    termination: Optional[str] = None  #: "converged", "missed", "deviation", "collapsed" or "limit"
     warnings: Tuple[str, ...] = ()
     decisive: Tuple[str, ...] = ()  #: the warnings by which a result may be of no use
     decisive_at: Tuple[float, ...] = ()  #: x, y and z of the place of each decisive warning; infinite without

@@ -65,7 +65,7 @@ export class Engine {
     this.mesh = { ...this.mesh, unit };
   }
 
-  /** The text of `talweg info`. */
+  /** Sizes and defects of the mesh as a text (mesh_words.hpp). */
   words(): Promise<string> { return this.ask('words', []); }
 
   sample(): Promise<{ name: string; bytes: Uint8Array }> { return this.ask('sample', []); }

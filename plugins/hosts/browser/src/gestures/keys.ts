@@ -86,7 +86,7 @@ export class Keys {
     return [
       { keys: ['n'], shown: 'N', what: 'go to the next point (Shift: the one before)',
         act: (e) => this.cursor.nextPoint(e.shiftKey ? -1 : 1) },
-      { keys: ['m'], shown: 'M', what: 'carry the chosen point with the arrow keys; again: let it go',
+      { keys: ['m'], shown: 'M', what: 'move the chosen point with the arrow keys; again: release it',
         act: () => this.carry() },
       { keys: ['p'], shown: 'P', what: 'pin or unpin the chosen point',
         act: () => this.pinChosen() },

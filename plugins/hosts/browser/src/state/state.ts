@@ -73,7 +73,7 @@ export interface State {
   drawing: Drawing;
   undo: string | null;
   redo: string | null;
-  /** The text of `talweg info` about the mesh; null until requested. */
+  /** Sizes and defects of the mesh as a text (mesh_words.hpp); null until requested. */
   words: string | null;
   /** The drawn curves on the mesh. */
   drawn: Line[];

@@ -152,7 +152,7 @@
     </message>
     <message>
         <source>Length of all curves together, in mesh units.</source>
-        <translation>Aller Kurven zusammen, in Einheiten des Netzes.</translation>
+        <translation>Länge aller Kurven zusammen, in Einheiten des Netzes.</translation>
     </message>
     <message>
         <source>Turning</source>
@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>The sum of all turns of the curves.</source>
-        <translation>Alles, was die Kurven sich drehen, zusammengezählt.</translation>
+        <translation>Die Summe aller Drehungen der Kurven.</translation>
     </message>
     <message>
         <source>Sharpest turn</source>
@@ -168,7 +168,7 @@
     </message>
     <message>
         <source>The most that a curve turns within the length of a mesh edge.</source>
-        <translation>Wie weit sich eine Kurve höchstens dreht, auf der Länge einer Netzkante.</translation>
+        <translation>Die größte Drehung einer Kurve auf der Länge einer Netzkante.</translation>
     </message>
     <message>
         <source>Bending</source>
@@ -230,7 +230,7 @@
     </message>
     <message>
         <source>The kind of ridges that attract the drawing.</source>
-        <translation>Was die Zeichnung anzieht.</translation>
+        <translation>Die Art der Grate, die die Zeichnung anziehen.</translation>
     </message>
     <message>
         <source>;both, convex: ridges, concave: valleys</source>
@@ -262,7 +262,7 @@
     </message>
     <message>
         <source>;vertices from 0;whether the curve is closed</source>
-        <translation>;Ecken ab 0;ob sie zurückkehrt</translation>
+        <translation>;Ecken ab 0;ob die Kurve geschlossen ist</translation>
     </message>
     <message>
         <source>Adds a point to the curve that is being drawn.</source>
@@ -270,7 +270,7 @@
     </message>
     <message>
         <source>;face from 0;barycentric coordinates in the face</source>
-        <translation>;Dreieck ab 0;Koordinaten darin</translation>
+        <translation>;Dreieck ab 0;baryzentrische Koordinaten im Dreieck</translation>
     </message>
     <message>
         <source>Ends the curve that is being drawn.</source>
@@ -322,7 +322,7 @@
     </message>
     <message>
         <source>face from 0;barycentric coordinates in the face</source>
-        <translation>Dreieck ab 0;Koordinaten darin</translation>
+        <translation>Dreieck ab 0;baryzentrische Koordinaten im Dreieck</translation>
     </message>
     <message>
         <source>Pins a drawn point, or unpins it.</source>
@@ -338,11 +338,11 @@
     </message>
     <message>
         <source>;from 0;whether the curve is closed</source>
-        <translation>;ab 0;ob sie zurückkehrt</translation>
+        <translation>;ab 0;ob die Kurve geschlossen ist</translation>
     </message>
     <message>
         <source>0: straight lines; higher values keep closer to the drawing.</source>
-        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung.</translation>
+        <translation>0: gerade Linien; höhere Werte bleiben näher an der Zeichnung.</translation>
     </message>
     <message>
         <source>;0 or more</source>
@@ -353,8 +353,8 @@
         <translation>Wie genau die Zeichnung ist.</translation>
     </message>
     <message>
-        <source>;mesh units; negative: from the drawing</source>
-        <translation>;Einheiten des Netzes; negativ: aus der Zeichnung</translation>
+        <source>;mesh units, negative: from the drawing</source>
+        <translation>;Einheiten des Netzes, negativ: aus der Zeichnung</translation>
     </message>
     <message>
         <source>The largest deviation; chooses tau and slack.</source>
@@ -366,15 +366,15 @@
     </message>
     <message>
         <source>The treatment of the ends of curves that are not closed.</source>
-        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
+        <translation>Die Behandlung der Enden von Kurven, die nicht geschlossen sind.</translation>
     </message>
     <message>
         <source>;auto: painted strokes that return to their start are loops, closed: all curves are loops, open: none</source>
-        <translation>;auto: gemalte Striche, die zurückkommen, sind geschlossen, closed: alle, open</translation>
+        <translation>;auto: gemalte Striche, die zu ihrem Anfang zurückkehren, sind geschlossen, closed: alle Kurven, open: keine</translation>
     </message>
     <message>
         <source>Successive clicks within this distance are merged.</source>
-        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer.</translation>
+        <translation>Aufeinander folgende Klicks in diesem Abstand werden zu einem.</translation>
     </message>
     <message>
         <source>;mesh units, negative: an edge of the mesh</source>
@@ -386,11 +386,11 @@
     </message>
     <message>
         <source>Repeats the edit that was taken back.</source>
-        <translation>Macht sie wieder.</translation>
+        <translation>Wiederholt die zurückgenommene Änderung.</translation>
     </message>
     <message>
         <source>Draws on the mesh as if it was repaired, if it is not a surface; the mesh itself is unchanged.</source>
-        <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz bleibt.</translation>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert, wenn es keine Fläche ist; das Netz selbst bleibt unverändert.</translation>
     </message>
     <message>
         <source>Waits for the smoothed curves and returns their polylines&apos; ids.</source>
@@ -446,7 +446,7 @@
     </message>
     <message>
         <source>Makes a mesh of each part between the smoothed curves.</source>
-        <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
+        <translation>Macht aus jedem Teil zwischen den geglätteten Kurven ein Netz.</translation>
     </message>
     <message>
         <source>;whether the parts are closed where they were cut</source>
@@ -458,7 +458,7 @@
     </message>
     <message>
         <source>whether the mouse draws</source>
-        <translation>ob</translation>
+        <translation>ob die Maus zeichnet</translation>
     </message>
     <message>
         <source>Gives a curve a name.</source>
@@ -502,7 +502,7 @@
     </message>
     <message>
         <source>;the index of the new point, from 0;face from 0;barycentric coordinates in the face</source>
-        <translation>;der Punkt, vor den er kommt, ab 0;Dreieck ab 0;seine Koordinaten darin</translation>
+        <translation>;der Index des neuen Punkts, ab 0;Dreieck ab 0;baryzentrische Koordinaten im Dreieck</translation>
     </message>
     <message>
         <source>Removes a point of a curve.</source>
@@ -526,11 +526,11 @@
     </message>
     <message>
         <source>;whether the combs are shown</source>
-        <translation>;ob</translation>
+        <translation>;ob die Kämme gezeigt werden</translation>
     </message>
     <message>
-        <source>Marks the place of the largest value, and returns it.</source>
-        <translation>Markiert, wo sie am größten ist, und nennt die Stelle.</translation>
+        <source>Marks the place of the largest value, and returns the place.</source>
+        <translation>Markiert die Stelle des größten Werts und gibt sie zurück.</translation>
     </message>
     <message>
         <source>;nothing, deviation or curvature</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>Length of the smoothed curve, in mesh units.</source>
-        <translation>Der geglätteten Kurve, in Netzeinheiten.</translation>
+        <translation>Länge der geglätteten Kurve, in Netzeinheiten.</translation>
     </message>
     <message>
         <source>The largest distance between result and drawing, in either direction, in mesh units.</source>
@@ -613,7 +613,7 @@
     </message>
     <message>
         <source>The sum of all turns of the smoothed curve.</source>
-        <translation>Alle Drehungen der geglätteten Kurve zusammen.</translation>
+        <translation>Die Summe aller Drehungen der geglätteten Kurve.</translation>
     </message>
 </context>
 <context>
@@ -684,7 +684,7 @@
     </message>
     <message>
         <source>Tau of the selected curve alone. Unticked: the tau of all curves.</source>
-        <translation>Nur der ausgewählten Kurve. Ohne Haken: Tau wie bei allen Kurven.</translation>
+        <translation>Tau nur der ausgewählten Kurve. Ohne Haken: das Tau aller Kurven.</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>Marks the place of the largest value, and turns the view to it.</source>
-        <translation>Markiert, wo sie am größten ist, und dreht die Ansicht dorthin.</translation>
+        <translation>Markiert die Stelle des größten Werts und dreht die Ansicht dorthin.</translation>
     </message>
 </context>
 <context>
@@ -823,8 +823,8 @@
         <translation>Macht Kurven in diesem Abstand entlang der Fläche von der gewählten geglätteten Kurve oder von allen.</translation>
     </message>
     <message>
-        <source>How far, along the surface, in mesh units.</source>
-        <translation>Wie weit, entlang der Fläche, in Einheiten des Netzes.</translation>
+        <source>The distance along the surface, in mesh units.</source>
+        <translation>Der Abstand entlang der Fläche, in Einheiten des Netzes.</translation>
     </message>
     <message>
         <source>Both sides</source>
@@ -839,8 +839,8 @@
         <translation>Rechts</translation>
     </message>
     <message>
-        <source>Seen along the curve from outside; on one side there are no caps.</source>
-        <translation>Von außen entlang der Kurve gesehen; auf einer Seite gibt es keine Kappen.</translation>
+        <source>The side as seen along the curve from outside; offsets on one side have no caps.</source>
+        <translation>Die Seite, von außen entlang der Kurve gesehen; auf nur einer Seite gibt es keine Kappen.</translation>
     </message>
 </context>
 <context>
@@ -885,7 +885,7 @@
     </message>
     <message>
         <source>Draws on the mesh as if it was repaired; the mesh itself is unchanged.</source>
-        <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt.</translation>
+        <translation>Zeichnet auf dem Netz, als wäre es repariert; das Netz selbst bleibt unverändert.</translation>
     </message>
     <message>
         <source>Undo</source>
@@ -941,7 +941,7 @@
     </message>
     <message>
         <source>Curves from a selection, from face colours or from polylines.</source>
-        <translation>Kurven aus dem, was schon da ist.</translation>
+        <translation>Kurven aus einer Auswahl, aus Dreiecksfarben oder aus Linien.</translation>
     </message>
     <message>
         <source>Selected vertices or edges</source>
@@ -969,7 +969,7 @@
     </message>
     <message>
         <source>0: straight lines; higher values keep closer to the drawing, and are tighter between clicks.</source>
-        <translation>0: gerade Linien; mehr bleibt näher an der Zeichnung und ist zwischen Klicks straffer.</translation>
+        <translation>0: gerade Linien; höhere Werte bleiben näher an der Zeichnung und sind zwischen Klicks straffer.</translation>
     </message>
     <message>
         <source>Slack</source>
@@ -977,7 +977,7 @@
     </message>
     <message>
         <source>How exact the drawing is, in mesh units. Unticked: the width of the hand's tremor.</source>
-        <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken so breit, wie die Hand gezittert hat.</translation>
+        <translation>Wie genau die Zeichnung ist, in Einheiten des Netzes. Ohne Haken: die Breite des Zitterns der Hand.</translation>
     </message>
     <message>
         <source>units</source>
@@ -989,7 +989,7 @@
     </message>
     <message>
         <source>The smoothest curve that stays within this distance of the drawing, in mesh units; chooses tau and slack. Unticked: the present distance.</source>
-        <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: wie weit sie jetzt ist.</translation>
+        <translation>Die glatteste Kurve in diesem Abstand von der Zeichnung, in Einheiten des Netzes; wählt Tau und Spielraum. Ohne Haken: der jetzige Abstand.</translation>
     </message>
     <message>
         <source>One click</source>
@@ -997,7 +997,7 @@
     </message>
     <message>
         <source>Successive clicks within this distance are merged, in mesh units. Unticked: an edge of the mesh.</source>
-        <translation>Klicks, die in diesem Abstand aufeinander folgen, sind einer, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
+        <translation>Aufeinander folgende Klicks in diesem Abstand werden zu einem, in Einheiten des Netzes. Ohne Haken: eine Kante des Netzes.</translation>
     </message>
     <message>
         <source>Ridges</source>
@@ -1025,7 +1025,7 @@
     </message>
     <message>
         <source>The kind of ridges that attract the drawing.</source>
-        <translation>Was die Zeichnung anzieht.</translation>
+        <translation>Die Art der Grate, die die Zeichnung anziehen.</translation>
     </message>
     <message>
         <source>Returning strokes are loops</source>
@@ -1041,7 +1041,7 @@
     </message>
     <message>
         <source>The treatment of the ends of curves that are not closed.</source>
-        <translation>Was aus den Enden von Kurven wird, die nicht geschlossen sind.</translation>
+        <translation>Die Behandlung der Enden von Kurven, die nicht geschlossen sind.</translation>
     </message>
     <message>
         <source>Ends</source>
@@ -1065,7 +1065,7 @@
     </message>
     <message>
         <source>Makes a mesh of each part between the smoothed curves.</source>
-        <translation>Macht aus jedem Teil, den die geglätteten Kurven lassen, ein Netz.</translation>
+        <translation>Macht aus jedem Teil zwischen den geglätteten Kurven ein Netz.</translation>
     </message>
     <message>
         <source>with lids</source>
@@ -1097,7 +1097,7 @@
     </message>
     <message>
         <source>Stops the computation.</source>
-        <translation>Hält an, was gerechnet wird.</translation>
+        <translation>Hält die Berechnung an.</translation>
     </message>
     <message>
         <source>No drawing yet.</source>
@@ -1109,11 +1109,11 @@
     </message>
     <message>
         <source>Repeats the edit that was taken back (Ctrl+Y): %1</source>
-        <translation>Macht sie wieder (Strg+Y): %1</translation>
+        <translation>Wiederholt die zurückgenommene Änderung (Strg+Y): %1</translation>
     </message>
     <message>
         <source>The curve is free between clicked points; this value is for painted strokes.</source>
-        <translation>Zwischen geklickten Punkten ist die Kurve frei; dies ist für gemalte.</translation>
+        <translation>Zwischen geklickten Punkten ist die Kurve frei; dieser Wert gilt für gemalte Striche.</translation>
     </message>
     <message>
         <source>&quot;Within&quot; chooses it.</source>
