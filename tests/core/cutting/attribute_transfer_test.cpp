@@ -121,7 +121,7 @@ TEST(MeshAttributes, OfOtherFormatsAreNamedOnly) {
   EXPECT_TRUE(a.left_out.empty());
 }
 
-TEST(MeshAttributes, AreRefusedWhereTheyAreNone) {
+TEST(MeshAttributes, InvalidAttributesAreRefused) {
   const auto expect_refused = [](const char* name, std::string text, const char* what) {
     MeshAttributes a;
     try {

@@ -97,7 +97,6 @@ TEST(SeamOpening, FromBoundaryToBoundaryItPartsASheet) {
 
 TEST(SeamOpening, ALoopAroundATorusPartsNothingAndTwoDo) {
   const MeshLists lists = test::torus(32, 16);
-  const SurfaceMesh mesh = SurfaceMesh::open(lists);
   const auto meridian = [&](std::uint32_t k) {
     CutMesh::Chain chain{true, {}};
     for (std::uint32_t v = 0; v < lists.points.size(); ++v) {

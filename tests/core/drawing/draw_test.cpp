@@ -28,7 +28,7 @@ TEST_F(Draw, ThroughVerticesAlongEdgesOrStraight) {
   options.straight = false;
   const Drawing edges = draw(surface(), clicks, options);
   for (const SurfacePoint& point : edges.curve.points) EXPECT_TRUE(point.is_vertex());
-  // The segments between way-points may be straight; a stroke is drawn along edges.
+  // By default segments between way-points are straight, and a stroke runs along edges.
   const Drawing straight = draw(surface(), clicks);
   options.straight.reset();
   options.tolerance.reset();
@@ -62,9 +62,9 @@ TEST_F(Draw, ThroughPointsAnywhereAndTheSmootherPassesThem) {
 TEST_F(Draw, ClicksMayHaveAToleranceOrBeAStroke) {
   DrawOptions options;
   options.tolerance = 0.5;
-  for (const WayPoint& way : draw(surface(), clicks, options).way_points) {
-    EXPECT_EQ(way.tolerance, 0.5);
-  }
+  const Drawing near = draw(surface(), clicks, options);
+  ASSERT_EQ(near.way_points.size(), clicks.size());
+  for (const WayPoint& way : near.way_points) EXPECT_EQ(way.tolerance, 0.5);
   options.tolerance.reset();
   EXPECT_TRUE(draw(surface(), clicks, options).way_points.empty());
 }

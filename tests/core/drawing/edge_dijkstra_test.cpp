@@ -172,7 +172,7 @@ TEST(Drawing, TiesGoToTheSmallerVertex) {
   EXPECT_EQ(draw_edge_path(surface_of_lists(lists), ids({3, 0})), ids({3, 1, 0}));
 }
 
-TEST(Drawing, SaysWhatIsWrong) {
+TEST(Drawing, RefusesInvalidWayPoints) {
   const Surface sheet = surface_of_lists(grid(3, 3));
   EXPECT_NE(message_of(sheet, ids({3}), false).find("at least 2"), std::string::npos);
   EXPECT_NE(message_of(sheet, {}, true).find("at least 2"), std::string::npos);

@@ -157,13 +157,16 @@ TEST(StraightLines, AreTheShortestOverACubeOfTwelveTriangles) {
   }
 }
 
-/// The way from a point to another over an open square tube of side 1, unrolled into the plane.
+/// The length of the shortest way from (u, v) to (s, t) over an open square tube of side 1, where u
+/// and s count along its girth of 4 and v and t along its axis: a straight line on the unrolled
+/// tube.
 double shortest_over_tube(double u, double v, double s, double t) {
   constexpr double kAround = 4;
   const double across = std::min(std::abs(u - s), kAround - std::abs(u - s));
   return std::hypot(across, v - t);
 }
 
+/// The point of the tube at u along its girth and v along its axis.
 Point on_tube(double u, double v) {
   const double along = u - std::floor(u);
   switch (static_cast<int>(u)) {

@@ -41,7 +41,7 @@ TEST_F(CurveJson, IsWrittenInTheDocumentedForm) {
   EXPECT_EQ(point.at("xyz"), (std::vector<double>{0, 0, 0}));
 }
 
-TEST_F(CurveJson, RefusesWhatIsNoJson) {
+TEST_F(CurveJson, RefusesInvalidJson) {
   expect_refused("a.json", "{", {"line 1", "not valid JSON"});
   expect_refused("a.json", "{\n \"format\": ,\n}", {"line 2, column 12"});
   expect_refused("a.json", "{\"format\": NaN}", {"line 1"});

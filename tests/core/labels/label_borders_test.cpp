@@ -158,7 +158,7 @@ TEST(LabelBorders, ALoopThatHangsOnAJunctionIsHeldThere) {
   EXPECT_EQ(loops, 1U);
 }
 
-TEST(LabelBorders, SaysWhatIsWrong) {
+TEST(LabelBorders, RefusesInvalidLabels) {
   const SurfaceMesh mesh = SurfaceMesh::open(test::grid(12, 8));
   const auto refused = [&](const Labels& labels, const char* word) {
     try {

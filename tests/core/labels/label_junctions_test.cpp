@@ -118,7 +118,6 @@ TEST(LabelJunctions, OfSectorsOfABallEndAt120Degrees) {
     return longitude < 100 ? 0 : longitude < 220 ? 1 : 2;
   });
   LabelNetworkOptions options{.max_deviation = 12 * mesh->mesh().mean_edge_length()};
-  const LabelNetwork fixed = smooth_labels(mesh, labels, options);
   options.free_junctions = true;
   const LabelNetwork free = smooth_labels(mesh, labels, options);
   expect_sound(lists, *mesh, labels, free);

@@ -162,6 +162,7 @@ TEST(Measures, TortuosityIsLengthOverTheDistanceOfTheEnds) {
   EXPECT_EQ(tortuosity({6, 7, 8, 13, 18, 17, 16, 11}, true), HUGE_VAL);
   EXPECT_EQ(tortuosity({6, 7, 12, 11, 6}, false), HUGE_VAL);
   EXPECT_EQ(tortuosity({6}, false), HUGE_VAL);
+  // A Surface has no positions, so the distance of the ends is unknown.
   const SurfaceCurve line = vertex_curve(surface, ids({5, 6}), false);
   EXPECT_EQ(measure_curve(surface, line, 1).tortuosity, HUGE_VAL);
 }

@@ -190,8 +190,8 @@ TEST(MeshInspection, OdditiesAreUsable) {
   EXPECT_EQ(alone.verdict, MeshVerdict::kUsable);
 }
 
-// The verdict agrees with opening the mesh.
-TEST(MeshInspection, ATooSmallMeshIsNotUsable) {
+// The verdict and the reason are those of opening and of repairing the mesh.
+TEST(MeshInspection, TooSmallAndTooLargeMeshesAreNotUsable) {
   for (const double unit : {1e-200, 1e-80, 1e-41, 1e-39, 1e39, 1e41, 1e80}) {
     MeshLists lists = sphere(2);
     for (Point& p : lists.points) p *= unit;

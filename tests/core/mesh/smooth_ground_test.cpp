@@ -72,11 +72,10 @@ TEST(SmoothGround, SmoothAndSharpEdgedMeshesAreNotRoughAndStayUnchanged) {
   for (const MeshLists& lists : smooth) {
     const SurfaceMesh mesh = SurfaceMesh::open(lists);
     EXPECT_LT(roughness_of(mesh), kLeastRoughness) << lists.points.size();
-  }
-  const SurfaceMesh sphere = SurfaceMesh::open(smooth[0]);
-  const SurfaceMesh ground = smooth_ground(sphere);
-  for (std::size_t v = 0; v < sphere.points().size(); ++v) {
-    ASSERT_EQ(ground.points()[v], sphere.points()[v]) << v;
+    const SurfaceMesh ground = smooth_ground(mesh);
+    for (std::size_t v = 0; v < mesh.points().size(); ++v) {
+      ASSERT_EQ(ground.points()[v], mesh.points()[v]) << lists.points.size() << " " << v;
+    }
   }
 }
 

@@ -395,8 +395,7 @@ TEST_F(EmbedCurvesRefuses, AChainAlongAnEdgeThatIsGone) {
   mesh.garbage_collection();
   expect_refused(
       "No edge joins vertex 0 of chain 0 to the next vertex: the mesh has changed since the plan "
-      "was "
-      "made, or the plan belongs to another mesh.");
+      "was made, or the plan belongs to another mesh.");
 }
 
 TEST_F(EmbedCurvesRefuses, NumbersOfAnotherMesh) {

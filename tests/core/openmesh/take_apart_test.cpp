@@ -214,7 +214,6 @@ TYPED_TEST(TakeApart, LidsCloseASphereThatIsCutInTwo) {
   auto mesh = openmesh_of<TypeParam>(sphere(3));
   OpenMeshIds ids;
   const SurfaceMesh opened = surface_of(mesh, &ids);
-  std::mt19937 random(4);
   StraightLines lines(opened.surface());
   const auto at = [&](std::size_t v) {
     return SurfacePoint::at_vertex(opened.surface(), VertexId{v});

@@ -487,7 +487,7 @@ TEST(MeshRepair, TellsTheEffectOfWeldingASoup) {
 
 /// Programs write a vertex for each normal or texture coordinate that it has, and only a corner of
 /// two faces may then be shared, which needs a repair of its own.
-TEST(MeshRepair, TornFacesThatTouchAreToldWhatWeldingWouldGive) {
+TEST(MeshRepair, TellsTheEffectOfWeldingTornFaces) {
   MeshLists fan;  // three triangles around the origin; the middle one has vertices of its own
   fan.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {-1, 1, 0}, {-2, 0, 0}};
   fan.points.insert(fan.points.end(), {fan.points[0], fan.points[2], fan.points[3]});

@@ -128,8 +128,10 @@ TEST_F(SmoothingBudget, OfTimeThatIsUsedUpEndsEverything) {
 TEST_F(SmoothingBudget, OfDragging) {
   smoother.smooth(with_work(1));
   SurfaceCurve moved = wave;
+  moved.points.erase(moved.points.end() - 3, moved.points.end());
   const SmoothingResult dragged = smoother.drag(0, moved, with_work(1));
   EXPECT_EQ(dragged.report().termination, Outcome::kLimit);
+  EXPECT_EQ(dragged.curve().points.back(), moved.points.back());
   EXPECT_EQ(smoother.smooth(1).curve().points, anew({}).curve().points);
 }
 

@@ -316,7 +316,7 @@ TEST(Cancelling, SettingOtherPinsAtAnyMomentKeepsTheEarlierPins) {
   }
 }
 
-TEST(Cancelling, DraggingAtAnyMomentGivesWhatIsDragged) {
+TEST(Cancelling, CancelledDraggingGivesTheDraggedDrawing) {
   std::mt19937 random(14);
   for (const Job& job : jobs()) {
     if (job.options.method == Method::kPaper || job.drawn[0].closed) continue;

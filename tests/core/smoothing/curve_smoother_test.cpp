@@ -112,7 +112,7 @@ TEST(CurveSmoother, ARunLeavesNoTrace) {
   EXPECT_TRUE(same_bytes(opened->mesh(), first.curve(), smoother.smooth(0.7).curve()));
 }
 
-TEST(CurveSmoother, VisitsOnlyWhatTheLiftAllows) {
+TEST(CurveSmoother, StaysBelowTheHeightThatTheLiftedLengthAllows) {
   // To reach height φ on the way from p to q a path climbs and comes back: 2φ <= l + φ(p) + φ(q).
   const auto opened = OpenedMesh::open(sphere(5));
   const auto path = draw_edge_path(opened->surface(), ids({0, 2500, 3, 800}));
@@ -277,7 +277,7 @@ TEST(CurveSmoother, TakesADistanceAndAPotentialOfTheCallers) {
   EXPECT_THROW(smoother.set_curves(std::span(&drawn, 1), distance), Error);
 }
 
-TEST(CurveSmoother, RefusesWhatIsNoCurve) {
+TEST(CurveSmoother, RefusesInvalidCurves) {
   const auto opened = OpenedMesh::open(grid(10, 10));
   const Surface& surface = opened->surface();
   CurveSmoother smoother(opened);

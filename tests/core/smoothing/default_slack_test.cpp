@@ -51,7 +51,7 @@ class DefaultSlack : public testing::Test {
   const Surface& surface = opened->surface();
 };
 
-TEST_F(DefaultSlack, ASquareWaveIsSevenTenthsOfItsStepWide) {
+TEST_F(DefaultSlack, OfASquareWaveIsSevenTenthsOfItsStep) {
   for (const std::uint32_t step : {1U, 2U, 3U}) {
     const SurfaceCurve wave = test::square_wave(surface, kColumns, step, step);
     EXPECT_NEAR(slack_of(opened, wave), 0.7 * step, kTiny) << step;

@@ -71,7 +71,7 @@ class Dragging : public testing::Test {
   const double edge = hills()->mesh().mean_edge_length();
 };
 
-TEST_F(Dragging, GivesAboutWhatTheChangedDrawingGives) {
+TEST_F(Dragging, IsCloseToTheResultOfTheChangedDrawing) {
   for (const double tau : {0.3, 1.0, 2.7, 9.0}) {
     SCOPED_TRACE(testing::Message() << "tau " << tau);
     set(wave());

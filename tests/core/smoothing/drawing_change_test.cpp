@@ -68,7 +68,7 @@ TEST(DrawingChange, OfALoopMayGoOverItsSeam) {
   EXPECT_EQ(change.kept_after, 3U);
 }
 
-TEST(DrawingChange, OfALoopThatBeginsElsewhereIsNone) {
+TEST(DrawingChange, OfALoopWithAnotherFirstPointIsEmpty) {
   const SurfaceCurve before = curve({0, 1, 2, 12, 22, 21, 20, 10}, true);
   EXPECT_TRUE(change_between(before, curve({22, 21, 20, 10, 0, 1, 2, 12}, true)).is_none());
   EXPECT_TRUE(change_between(before, before).is_none());

@@ -66,8 +66,8 @@ TEST_F(MaxDeviation, IsKeptInBothDirectionsAndCurvatureFallsAsItGrows) {
   }
 }
 
-// The search uses a wide bound: no fixed slack gives a much smoother curve within it.
-TEST_F(MaxDeviation, IsUsedFully) {
+// Results of a fixed slack that lie within the bound have at least 1 / 1.1 of the curvature.
+TEST_F(MaxDeviation, GivesNearlyTheLeastCurvatureOfAllSlacksWithinIt) {
   const auto hills = OpenedMesh::open(test::hills(40));
   const SurfaceCurve wave = test::wave_on_hills(hills->mesh());
   CurveSmoother smoother(hills);
@@ -106,7 +106,7 @@ TEST_F(MaxDeviation, ASpikeTakesItsTurns) {
   EXPECT_EQ(wide.report().pins_added, 0U);
 }
 
-TEST_F(MaxDeviation, OnHillsItIsKept) {
+TEST_F(MaxDeviation, IsKeptOnHills) {
   const auto hills = OpenedMesh::open(test::hills(40));
   const SurfaceCurve wave = test::wave_on_hills(hills->mesh());
   CurveSmoother smoother(hills);
@@ -118,7 +118,7 @@ TEST_F(MaxDeviation, OnHillsItIsKept) {
   }
 }
 
-TEST_F(MaxDeviation, ALoopKeepsItToo) {
+TEST_F(MaxDeviation, IsKeptByALoop) {
   const auto points = test::circle({30, 15, 0}, {20, 0, 0}, {0, 10, 0}, 16);
   const SurfaceCurve loop = test::drawn_near(opened->mesh(), points, true);
   CurveSmoother smoother(opened);
@@ -157,7 +157,7 @@ TEST_F(MaxDeviation, TwoCurvesKeepItAgainstTheirOwnDrawings) {
 
 // Pins are points of the drawing, so on the plane even a very small bound leaves the drawing
 // itself.
-TEST_F(MaxDeviation, ATinyOneGivesTheDrawing) {
+TEST_F(MaxDeviation, OfNearlyZeroOnAPlaneGivesTheDrawing) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const SmoothingResult result = smooth_within(smoother, 1e-7);
@@ -226,7 +226,7 @@ TEST_F(MaxDeviation, UsesAGivenSlack) {
   EXPECT_EQ(result.report().slack, 0.25);
 }
 
-TEST_F(MaxDeviation, IsDeterministic) {
+TEST_F(MaxDeviation, EarlierCallsChangeNothing) {
   CurveSmoother smoother(opened);
   smoother.set_curve(drawn);
   const auto once = smooth_within(smoother, 0.7).curve().points;

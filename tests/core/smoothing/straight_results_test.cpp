@@ -55,14 +55,14 @@ Outcome outcome_of(const std::shared_ptr<const OpenedMesh>& opened, const Surfac
   return outcome;
 }
 
-// Questions count the work: see cancelling_test.cpp.
+// Calls of the progress callback measure the work: see cancelling_test.cpp.
 TEST(StraightResults, CostNoMoreThanStraightening) {
   const auto opened = OpenedMesh::open(hills(160));
   const SurfaceCurve drawn = winding(opened->mesh(), 160);
   const Outcome straight = outcome_of(opened, drawn, 0), unfelt = outcome_of(opened, drawn, 1e-6),
                 felt = outcome_of(opened, drawn, 0.05);
-  // FlipOut asks once in 64 steps, and the distances along the edges that it has visited cost no
-  // more. Further questions are one per stage, and those of the deviation through space.
+  // FlipOut calls it once in 64 steps, and the distances along the edges that it has visited cost
+  // no more. Further calls are one per stage, and those of the deviation through space.
   const std::size_t flip_out = straight.result.report().iterations / 32;
   EXPECT_LT(straight.asked, flip_out + 100);
   EXPECT_LT(unfelt.asked, 2 * flip_out + 100);

@@ -66,19 +66,19 @@ TEST_F(LoopClosing, ALargerGapStaysAndIsReported) {
   SnappedDrawing drawing;
   drawing.curves = {arc(0, 340)};
   drawing.may_be_loop = {true};
-  const auto notes = [&](CurveEnds ends) {
+  const auto with_ends = [&](CurveEnds ends) {
     return with_loops_closed(opened->mesh(), drawing, lines, ends);
   };
-  const SnappedDrawing as_drawn = notes(CurveEnds::kAsDrawn);
+  const SnappedDrawing as_drawn = with_ends(CurveEnds::kAsDrawn);
   EXPECT_FALSE(as_drawn.curves[0].closed);
   ASSERT_EQ(as_drawn.notes.size(), 1U);  // 2 · 6 · sin 10°
   EXPECT_EQ(as_drawn.notes[0],
             "The ends of a curve lie 2.08 mesh units apart; the curve is taken as open. If a "
             "loop is meant, close the curve.");
-  EXPECT_TRUE(notes(CurveEnds::kOpen).notes.empty());
-  EXPECT_TRUE(notes(CurveEnds::kClosed).curves[0].closed);
+  EXPECT_TRUE(with_ends(CurveEnds::kOpen).notes.empty());
+  EXPECT_TRUE(with_ends(CurveEnds::kClosed).curves[0].closed);
   drawing.curves = {arc(0, 300)};  // a horseshoe
-  EXPECT_TRUE(notes(CurveEnds::kAsDrawn).notes.empty());
+  EXPECT_TRUE(with_ends(CurveEnds::kAsDrawn).notes.empty());
 }
 
 TEST_F(LoopClosing, AStrokeOutAndBackStaysOpen) {

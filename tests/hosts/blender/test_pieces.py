@@ -279,7 +279,7 @@ class Meshes(Dressed):
         self.assertEqual(bpy.ops.talweg.repair(weld_within=1e-3), {"FINISHED"})
         self.assertEqual(len(self.obj.data.vertices), whole)
 
-    def test_the_sidebar_tells_what_was_done(self):
+    def test_the_sidebar_lists_the_changes(self):
         self.obj.data.polygons[100].flip()
         self.obj.data.update()
         bpy.ops.talweg.repair()

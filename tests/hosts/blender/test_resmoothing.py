@@ -139,7 +139,9 @@ class Again(unittest.TestCase):
         before = scene.spline_points(curve)
         curve.talweg.taus = "1 2 3"
         np.testing.assert_array_equal(scene.spline_points(curve), before)
+        self.assertIn(curve.name, resmoothing._wrong)  # pylint: disable=protected-access
         curve.talweg.taus = ""
+        self.assertNotIn(curve.name, resmoothing._wrong)  # pylint: disable=protected-access
 
     def test_thickness(self):
         curve = self.made()
@@ -325,7 +327,7 @@ class Repaired(unittest.TestCase):
         bm.faces[3000].normal_flip()
         bmesh.update_edit_mesh(self.obj.data)
 
-    def test_it_is_offered(self):
+    def test_repair_is_offered(self):
         with self.assertRaises(RuntimeError) as caught:
             bpy.ops.talweg.smooth_edges()
         for words in ("3 edges join two faces of opposite orientation", "can be repaired (orient)",

@@ -199,7 +199,7 @@ class Astray(Results):
 
     def test_rounding_is_not_worth_a_word(self):
         scene.annotate([line(10)])
-        mesh, faces = support.hills()
+        mesh, _ = support.hills()
         rounded = mesh[:60].astype(np.float32)
         scene.annotate([rounded + np.float32(1e-6)])
         self.smooth()

@@ -234,7 +234,7 @@ class Hand(unittest.TestCase):
         self.work.pin(self.view, pixel(30, 14))  # the second time removes the pin
         self.assertFalse(any(point.exact for point in self.work.editor.lines[0].points))
 
-    def test_hidden_points_are_not_grabbed(self):
+    def test_points_behind_the_mesh_are_not_seen(self):
         scene.empty()
         self.obj = scene.add_mesh(*support.torus())
         made = self.begin()

@@ -147,7 +147,7 @@ export async function editsCanBeUndone() {
   assert.equal(edit('undoName'), null);
 }
 
-export async function whatIsWrongIsSaid() {
+export async function badArgumentsAreRefused() {
   const { call, edit } = await begun();
   assert.throws(() => edit('finishCurve'), /\w+.*\.$/);
   assert.throws(() => call('open', ['broken.ply', false], new TextEncoder().encode('ply\nformat x')),

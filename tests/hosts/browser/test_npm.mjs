@@ -152,7 +152,7 @@ function refusesArguments(mesh, drawn) {
   assert.throws(() => mesh.saveMesh('xyz'), { kind: 'file', message: /^Cannot write mesh\.xyz/ });
 }
 
-export async function whatIsWrongIsSaid() {
+export async function badArgumentsAreRefused() {
   await refusesArrays();
   const mesh = await openMesh(corners, triangles);
   const drawn = [{ points: through(mesh, 0, 1), closed: false }];

@@ -70,7 +70,7 @@ expect() {  # PATTERN WHAT
 }
 picture() { [ -z "$pictures" ] || { sleep 1; import -window root "$pictures/$1.png"; }; }
 click() { xdotool mousemove "$1" "$2"; sleep 0.2; xdotool click 1; sleep 0.4; }
-# X Y: from the viewer to the screen. The viewer begins below the menu and the tool bar.
+# clicks X,Y...: clicks points of the screen, one after the other.
 clicks() { for at in "$@"; do click "${at%,*}" "${at#*,}"; done; }
 # Asks the probe for a widget: the panel scrolls to it, and the log gets its place and text.
 ask() {
@@ -92,7 +92,7 @@ type_name() { sleep 2; xdotool type --delay 30 "$1"; xdotool key Return; sleep 1
 for _ in $(seq 100); do grep -aq ' : READY' "$log" 2>/dev/null && break; sleep 0.5; done
 grep -aq ' : READY' "$log" || fail "the host is ready"
 expect "has changed and is opened again" "the host moves a mesh"
-expect "MOVED \([0-9.]*[0-9]\{9\}\)[0-9]* \1" "its curve has the same length then"
+expect "MOVED \([0-9.]*[0-9]\{9\}\)[0-9]* \1" "the curve on the moved mesh has the same length"
 expect "DELETED 1 true 2 1 true 2 true 1 true 0 false" "deleted lines are curves less, until undo"
 sleep 2
 
@@ -111,7 +111,7 @@ expect "1 curve(s)" "an open curve, its last point taken back"
 clicks 318,450
 mark
 xdotool key Return
-expect "Finish curve" "Enter ends it"
+expect "Finish curve" "Enter ends the curve"
 
 mark
 clicks 330,330 345,322 360,327 378,322 396,337 390,352 400,368 385,380 380,398 350,392 328,385 334,360
@@ -124,14 +124,14 @@ mark
 xdotool mousemove 245 422 click --repeat 2 --delay 80 1
 expect "Pin point" "a double click pins a point"
 sleep 2
-expect "2 curve(s)" "with it"
+expect "2 curve(s)" "the two curves, one with the pin"
 
 mark
 xdotool mousemove 208 410 mousedown 1
 for x in 206 204 202 200; do xdotool mousemove "$x" 415; sleep 0.1; done
 xdotool mouseup 1
 expect "Move point" "a point is dragged"
-expect "2 curve(s)" "with it"
+expect "2 curve(s)" "the two curves, one with the dragged point"
 moved=$(grep -a "curve(s)" "$log" | tail -n 1 | sed 's/.*length //; s/, deviation.*//')
 
 mark
@@ -152,7 +152,7 @@ click 551 46  # the host's own undo
 expect "length $moved" "the host's undo brings the curves back to the last digit"
 mark
 press talwegRedo
-expect "length $sled" "redo brings them forward"
+expect "length $sled" "redo brings the later curves back"
 
 press talwegWriteResult
 mark
@@ -167,7 +167,7 @@ press talwegClear
 sleep 1
 press talwegReadDrawing
 type_name "$folder/drawing.json"
-expect "2 curve(s)" "and read again"
+expect "2 curve(s)" "the drawing is read again"
 "$talweg" --quiet measure "$folder/vessel.ply" "$folder/result.json" "$folder/drawing.json" \
   --report "$folder/measured.json"
 echo "ok: the driver reads both: $(grep -o '"length": [0-9.]*' "$folder/measured.json" | head -n 1)"
@@ -187,7 +187,7 @@ mark
 clicks 300,500 310,520
 xdotool key Escape
 expect "Drop curve" "Esc drops a curve"
-expect "3 curve(s)" "three are left"
+expect "3 curve(s)" "three curves are left"
 picture painted
 
 # The view moves during drawing, and the unfinished curve stays.
@@ -202,7 +202,7 @@ for button in 2 3; do
 done
 mark
 xdotool click 4 click 5
-expect "VIEW CHANGED" "and the wheel"
+expect "VIEW CHANGED" "the view follows the wheel"
 xdotool key Escape
 mark
 xdotool keydown shift mousemove 300 500 click 1 keyup shift mousemove 500 600 key ctrl+z
@@ -226,11 +226,11 @@ sleep 1
 click 310 520  # its last point, which gives the viewer the focus
 mark
 xdotool key Return
-expect "Finish curve" "the curve is still there, with both points"
-expect "4 curve(s)" "as the fourth"
+expect "Finish curve" "Enter finishes the curve that was being drawn, with both points"
+expect "4 curve(s)" "the finished curve is the fourth"
 mark
 for _ in 1 2 3 4; do press talwegUndo; done  # its end, tau, its two points
-expect "3 curve(s)" "undo takes it away"
+expect "3 curve(s)" "undo takes the fourth curve away"
 
 # Curves as objects of the scene.
 says() {  # WIDGET PATTERN WHAT
@@ -249,19 +249,19 @@ says talwegCurves "selected Curve 1 [^,]*, row Curve 2 [^,]*, row Curve 3 [^,]*$
 mark
 xdotool keydown ctrl mousemove 187 336 click 1 keyup ctrl
 expect "Name : 'Insert point'" "Ctrl and a click on a curve insert a point"
-expect "3 curve(s)" "with it"
+expect "3 curve(s)" "the curve with the inserted point is still one of three"
 mark
 press talwegPin
-expect "Name : 'Pin curve'" "its points are pinned"
+expect "Name : 'Pin curve'" "the points of the selected curve are pinned"
 mark
 press talwegOwnTauTick
-expect "Name : 'Tau of curve'" "it gets a tau of its own"
+expect "Name : 'Tau of curve'" "the selected curve gets a tau of its own"
 mark
 press talwegClosed
-expect "Name : 'Close curve'" "it is closed"
+expect "Name : 'Close curve'" "the selected curve is closed"
 mark
 press talwegClosed
-expect "Name : 'Open curve'" "and opened"
+expect "Name : 'Open curve'" "the selected curve is opened"
 ask talwegCurves
 set -- $(place talwegCurves)
 mark
@@ -273,11 +273,11 @@ expect "Name : 'Rename curve'" "a double click names a curve"
 says talwegCurves "selected dome" "the list has the name"
 mark
 press talwegRemove
-expect "Name : 'Remove curve'" "it is removed"
-expect "2 curve(s)" "two are left"
+expect "Name : 'Remove curve'" "the selected curve is removed"
+expect "2 curve(s)" "two curves are left"
 mark
 press talwegUndo
-expect "3 curve(s)" "and back again"
+expect "3 curve(s)" "undo brings the removed curve back"
 mark
 press talwegPoints
 expect "SCENE drawn [1-9][0-9]* leg 0 points 0 " "points can be hidden"
@@ -287,12 +287,12 @@ press talwegPoints
 mark
 press talwegComb
 expect "comb [1-9]" "a comb of curvature"
-says talwegCombText ".*[1-9].*1/unit" "with its scale"
+says talwegCombText ".*[1-9].*1/unit" "the panel tells the scale of the comb"
 mark
 press talwegMark
 xdotool key Down Return
 expect "VIEW CHANGED" "the view turns to the largest deviation"
-says talwegMarkText "[0-9.]* units, Curve 3" "which is told"
+says talwegMarkText "[0-9.]* units, Curve 3" "the panel tells the largest deviation"
 picture comb
 press talwegComb
 mark

@@ -83,7 +83,6 @@ TEST(FlipOutLoops, TwiceAroundTheCylinder) {
 TEST(FlipOutLoops, TorusLoopsKeepTheirHandle) {
   const TestMesh mesh = torus(24, 10, 3, 1);
   const Surface s = surface_of(mesh);
-  Random random(6);
   for (std::size_t i = 0; i < 24; i += 5) {
     SignpostTriangulation t(s);
     // A loop around the tube at column i, with detours.

@@ -46,7 +46,7 @@ class CompareCommand : public test::DriverRuns {
   }
 };
 
-TEST_F(CompareCommand, MeasuresWhatMeasureMeasures) {
+TEST_F(CompareCommand, AgreesWithMeasure) {
   const Outcome outcome =
       run("compare hills.ply --curve wave.json --methods corridor,paper,paper-relaxed,geodesic "
           "--report all.json --results out --table all.csv -o all.png");
@@ -91,14 +91,15 @@ TEST_F(CompareCommand, ASweepHasAPlotAndAVerdict) {
   EXPECT_LT(last, 0.2 * first);  // from close to smooth
 }
 
-TEST_F(CompareCommand, TellsWhatALoopBecame) {
+TEST_F(CompareCommand, TellsWhetherALoopWasKept) {
   // On a tube of constant girth the loop becomes a ring that is a geodesic and separates the tube.
   const Outcome outcome =
       run("compare tube.ply --curve ring.json --methods corridor,geodesic --report all.json");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const nlohmann::json ring_runs = json("all.json");
+  ASSERT_EQ(ring_runs["runs"].size(), 2U);
   for (const nlohmann::json& r : ring_runs["runs"]) EXPECT_TRUE(r["kind_kept"]);
-  // On a sphere it slips off and collapses.
+  // On a sphere the corridor keeps the loop, and the geodesic shrinks to a point.
   write_mesh(file("sphere.ply"), test::sphere(4));
   const SurfaceMesh mesh = SurfaceMesh::open(test::sphere(4));
   const double r = std::sqrt(1 - 0.36);
@@ -125,7 +126,7 @@ TEST_F(CompareCommand, AMethodMayRefuseAndTheOthersGoOn) {
   EXPECT_EQ(all["runs"][2]["refused"], "The method returned no curve.");
 }
 
-TEST_F(CompareCommand, BadUse) {
+TEST_F(CompareCommand, RefusesBadUse) {
   expect_failure("compare hills.ply --curve wave.json --methods corridor,laplace", 1,
                  {"no method \"laplace\"", "corridor, corridor-tau"});
   expect_failure("compare hills.ply --curve wave.json --plot plot.svg", 1, {"--sweep"});

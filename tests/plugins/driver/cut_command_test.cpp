@@ -111,7 +111,7 @@ TEST_F(CutCommand, OpensSeamsOfOneAndOfMoreCurves) {
   EXPECT_EQ(open.triangles.size(), 200U);
 }
 
-TEST_F(CutCommand, CarriesWhatTheFileSaysOfVerticesAndFaces) {
+TEST_F(CutCommand, CarriesAttributesOfVerticesAndFaces) {
   const MeshLists lists = read_mesh(file("ball.ply"));
   MeshAttributes attributes;
   AttributeColumn height{"height", NumberType::kFloat64, {}}, red{"red", NumberType::kUint8, {}};
@@ -199,7 +199,7 @@ std::string parallel(int row) {
   return ring;
 }
 
-TEST_F(CutCommand, KeepsWhatIsOnThatSideOfEveryCurveAlongIt) {
+TEST_F(CutCommand, KeepsThePiecesOnOneSideOfEveryCurve) {
   write_mesh(file("tube.ply"), test::tube(16, 9, 8));
   write(file("low.txt"), parallel(2));
   write(file("high.txt"), parallel(5));
@@ -329,7 +329,7 @@ TEST_F(CutCommand, AnOpenSheetIsCutFromBorderToBorder) {
   expect_failure("cut plane.ply --curve short.obj -o c.ply --border cut", 1, {"--border"});
 }
 
-TEST_F(CutCommand, ClicksAreDrawnToTheBorderWhereThatIsAsked) {
+TEST_F(CutCommand, BorderSnapExtendsDrawingsToTheBorder) {
   const std::string draw = "draw plane.ply --through 56,64 -o ";  // (1, 5) and (9, 5)
   ASSERT_EQ(run(draw + "stays.json").code, 0);
   EXPECT_EQ(json("stays.json")["curves"][0]["points"].front()["xyz"],
@@ -374,7 +374,7 @@ TEST_F(CutCommand, AStrokeOverTheEdgesIsSmoothedAndCutThere) {
   EXPECT_NEAR(json("s-report.json")["length_after"], 8, 1e-6);
 }
 
-TEST_F(CutCommand, SaysWhatIsWrong) {
+TEST_F(CutCommand, RefusesBadUse) {
   expect_failure("cut plane.ply --curve line.txt -o c.ply --keep up", 1,
                  {"--keep", "left or right"});
   expect_failure("cut plane.ply --curve line.txt -o c.ply --keep left", 2,

@@ -75,7 +75,7 @@ TEST_F(DriverHabits, RefusesEmptyValuesOfEveryOptionOfEveryCommand) {
   EXPECT_FALSE(std::filesystem::exists(file("out.obj")));
 }
 
-TEST_F(DriverHabits, TellsWhatAMisspeltWordWasMeantToBe) {
+TEST_F(DriverHabits, SuggestsTheWordNearestToAMisspeltOne) {
   write("a.txt", "64\n65\n66\n");
   const std::pair<const char*, const char*> misspelt[] = {
       {"smoth mesh.ply", "did you mean smooth?"},

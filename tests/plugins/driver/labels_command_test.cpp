@@ -108,7 +108,7 @@ TEST_F(LabelsCommand, EndsWithItsBudget) {
   }
 }
 
-TEST_F(LabelsCommand, SaysWhatIsWrong) {
+TEST_F(LabelsCommand, RefusesBadUse) {
   write("few.txt", "1 2 3\n");
   write("half.txt", "1\n2.5\n");
   expect_failure("labels hills.ply few.txt", 2, {"few.txt", "3 labels"});

@@ -229,7 +229,7 @@ TEST_F(MeasureCommand, PrintsATableAndIsQuietWhenAsked) {
   EXPECT_NE(run("measure --help").out.find("one by one in their order"), std::string::npos);
 }
 
-TEST_F(MeasureCommand, SaysWhatIsWrong) {
+TEST_F(MeasureCommand, RefusesBadUse) {
   write("a.txt", "0\n1\n2\n");
   write("bad.txt", "0\n9999\n");
   write("torn.txt", "0\n300\n");

@@ -153,7 +153,7 @@ TEST_F(RepairOption, InfoTellsWhatItWouldDo) {
   EXPECT_EQ(told["repair"]["verdict"], "repairable");
 }
 
-TEST_F(RepairOption, SaysWhatIsWrong) {
+TEST_F(RepairOption, RefusesBadUse) {
   write_mesh(file("turned.ply"), test::with_turned_face(test::sphere(2), 17));
   write_mesh(file("band.ply"), test::moebius(8));
   for (const char* command : {"info turned.ply", "draw turned.ply --through 1,2 -o no.txt"}) {

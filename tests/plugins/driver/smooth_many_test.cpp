@@ -168,19 +168,6 @@ TEST_F(SmoothMany, SeveralFilesAreOneSetUnlessTheyAreIndependent) {
   ASSERT_EQ(curves("each.json").size(), 2U);
   EXPECT_EQ(curves("each.json")[0], curves("first.json")[0]);
   EXPECT_EQ(curves("each.json")[1], curves("second.json")[0]);
-  // The same from a table, with both curves in one file.
-  write("list.csv",
-        "mesh,curve,tau,finish,slack,output\n"
-        "sheet.ply,both.json,\"0.5,4\",\"taut,fair\",\"auto,0.3\",batch.json\n");
-  const Outcome drawn =
-      run("smooth sheet.ply --curve across.txt --curve up.txt --tau 0 -o both.json");
-  ASSERT_EQ(drawn.code, 0) << drawn.err;
-  ASSERT_EQ(run("smooth --batch list.csv").code, 0);
-  ASSERT_EQ(run("smooth sheet.ply --curve both.json --tau 0.5,4 --finish taut,fair "
-                "--slack auto,0.3 -o direct.json")
-                .code,
-            0);
-  EXPECT_EQ(bytes_of(file("batch.json")), bytes_of(file("direct.json")));
 }
 
 TEST_F(SmoothMany, CurvesOfASetDoNotCrossAndIndependentOnesMay) {

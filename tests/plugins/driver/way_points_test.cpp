@@ -190,7 +190,7 @@ TEST_F(DriverWayPoints, SmoothTakesThemFromEveryFormatThatHoldsThem) {
   EXPECT_NE(exact, rough);
 }
 
-TEST_F(DriverWayPoints, SmoothIsToldWhichTheyAreForAnyFile) {
+TEST_F(DriverWayPoints, OptionPointsSetsTheWayPointsOfAnyFile) {
   const std::string exact = smoothed("d.json");
   EXPECT_EQ(smoothed("d.json --points given"), exact);
   EXPECT_EQ(smoothed("d.json --points exact"), exact);  // they stay those that it names
@@ -258,7 +258,7 @@ TEST_F(DriverWayPoints, SlackAndDeviationDoNotApplyAndTheReportSaysSo) {
   EXPECT_EQ(warnings(), json::array());
 }
 
-TEST_F(DriverWayPoints, SaysWhatIsWrongWithThePoints) {
+TEST_F(DriverWayPoints, RefusesInvalidPoints) {
   for (const char* points : {"sharp", "exact=", "exact=1,,2", "exact=760,", "exact=a", "exact=-1",
                              "exact=1.5", "exact=99999999999", "EXACT", "rough=1"}) {
     expect_failure(std::string("smooth hills.ply --curve d.json --points ") + points, 1,

@@ -269,7 +269,7 @@ TEST(Combs, ACircleHasTeethOfOneLength) {
   }
 }
 
-TEST(Combs, AStraightLineHasNone) {
+TEST(Combs, AStraightLineHasTeethOfNoLength) {
   std::vector<Vector> places;
   for (int k = 0; k <= 30; ++k) places.push_back({(0.1 + 0.02 * k) * extent(), 0.4 * extent(), 0});
   const OnSheet straight(places, false, std::vector<double>(31, 0));

@@ -75,13 +75,13 @@ TEST(Editor, AStrokeBeginsWhereTheMouseWasPressed) {
   EXPECT_EQ(marks_of(editor), std::vector<double>(2, TALWEG_MARK_PAINTED));
 }
 
-TEST(Editor, PointsOfStrokesHaveNoMark) {
+TEST(Editor, PointsWithoutAMarkStayWithoutOneAndMarksAreKept) {
   Editor editor;
   editor.add_curve({{at(1), at(2), at(3)}, false});
   editor.insert_point(0, 1, at(5));
   EXPECT_EQ(marks_of(editor), std::vector<double>(4, TALWEG_MARK_NONE));
   EXPECT_TRUE(host_curves(editor.drawing()).at(0).exact.empty());
-  // A point that says something keeps it.
+  // A point with a mark keeps the mark.
   editing::Point near = at(6);
   near.exact = 0.5;
   editor.insert_point(0, 4, near);

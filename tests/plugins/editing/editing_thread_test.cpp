@@ -68,7 +68,7 @@ void expect_same(const std::vector<host::Curve>& a, const std::vector<host::Curv
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(test::same_bits(a[k], b[k])) << k;
 }
 
-TEST(EditingThread, GivesWhatThePluginGives) {
+TEST(EditingThread, GivesTheResultsOfThePlugin) {
   Hills hills;
   std::atomic<int> woken = 0;
   SmoothingThread thread(found_plugins(), hills.mesh, [&] { ++woken; });
@@ -370,13 +370,14 @@ struct Defective {
   }
 };
 
-TEST(EditingThread, ADefectIsToldWithWhatARepairWouldDo) {
+TEST(EditingThread, ADefectIsReportedWithTheChangesOfARepair) {
   Defective sheet;
   SmoothingThread thread(found_plugins(), sheet.mesh);
   const Outcome open = all_of(thread).at(0);
   EXPECT_EQ(open.status, TALWEG_BAD_MESH);
   ASSERT_EQ(open.repair.size(), 1U);
-  EXPECT_NE(open.repair[0].find("1 "), std::string::npos) << open.repair[0];
+  EXPECT_NE(open.repair[0].find("1 face that repeats another was dropped"), std::string::npos)
+      << open.repair[0];
 
   auto hopeless = std::make_shared<editing::MeshArrays>();
   hopeless->positions = {{0, 0, 0}, {1, 0, 0}, {2, std::nan(""), 0}};
@@ -450,7 +451,7 @@ TEST(Workplace, ForAnotherTauTheDistanceIsKept) {
   }
 }
 
-TEST(EditingThread, NobodyWaitsForItsEnd) {
+TEST(EndingThreads, TakingReturnsAtOnceAndDestructionWaits) {
   std::atomic<bool> went_on = false, gone = false;
   {
     editing::EndingThreads ending;
@@ -527,7 +528,7 @@ TEST(CurveFiles, ClickedAndPaintedPointsComeBack) {
             (std::vector<double>{0, 0, TALWEG_MARK_PAINTED, 0}));
 }
 
-TEST(CurveFiles, SayWhatIsWrong) {
+TEST(CurveFiles, RefuseBadUse) {
   const auto status_of = [](auto body) {
     try {
       body();

@@ -136,7 +136,6 @@ TEST(Workplace, SeesTheMesh) {
   EXPECT_NEAR(position_of(*tube.mesh, *point)[0], 1, 0.01);
 }
 
-/// Two strokes around the tube, far apart: each is smoothed as if it was alone.
 /// Settings that the method does not know are kept for the other method, and do no harm.
 TEST(Workplace, ThePapersMethodIsChosenByASetting) {
   Tube tube;
@@ -153,6 +152,8 @@ TEST(Workplace, ThePapersMethodIsChosenByASetting) {
   EXPECT_EQ(potential(), "paper");
   tube.editor.set_paper(false);
   EXPECT_EQ(potential(), "corridor");
+  EXPECT_EQ(tube.editor.drawing().settings.slack, 0.1);
+  EXPECT_EQ(tube.editor.drawing().settings.max_deviation, 0.2);
 }
 
 /// The stroke runs around the tube and a little past its own beginning, two rows higher.
@@ -188,6 +189,7 @@ TEST(Workplace, ClicksBesideClicksAreOne) {
   EXPECT_TRUE(merged(0.2));
 }
 
+/// Two strokes around the tube, far apart: each is smoothed as if it was alone.
 TEST(Workplace, ACurvesOwnTauIsItsOwn) {
   Tube tube;
   for (const std::uint32_t row : {8U, 22U}) {

@@ -44,7 +44,7 @@ class PlanOfCut : public testing::Test {
   test::OwnProperties own;
 };
 
-TEST_F(PlanOfCut, AppliedGivesWhatTheLibraryEmbeds) {
+TEST_F(PlanOfCut, AppliedGivesTheEmbeddingOfTheLibrary) {
   const SurfaceCurve curve = across_faces(200, 201);
   instance.set_curves({test::as_host_curve(subject.opened->mesh(), curve)});
   instance.run();

@@ -108,7 +108,7 @@ TEST_F(MeshFilesOfPlugin, GiveEverythingThatAFileSays) {
   EXPECT_EQ(seen.corners, (std::vector<std::uint32_t>{0, 1, 2, kNone, kNone, kNone}));
 }
 
-TEST_F(MeshFilesOfPlugin, CountPolygonsAndTellWhatTheyDoNotRead) {
+TEST_F(MeshFilesOfPlugin, CountPolygonsAndListUnreadContents) {
   write_text("a.off", "COFF\n4 1 0\n0 0 0 9\n1 0 0 9\n1 1 0 9\n0 1 0 9\n4 0 1 2 3\n");
   Seen seen;
   ASSERT_EQ(read("a.off", seen), TALWEG_OK) << message_;

@@ -273,7 +273,7 @@ TEST_F(CutPlugin, RefusesAttributesThatDoNotFit) {
             "The attribute \"a\" is given twice.");
 }
 
-TEST_F(CutPlugin, GivesOnlyWhatTheLastRunMade) {
+TEST_F(CutPlugin, GivesOnlyMeshesOfTheLastRun) {
   EXPECT_EQ(sentence_of([&] { (void)instance.origin(0); }),
             "There is no mesh 0: 0 were made by the last run that gave meshes.");
   run_with_meshes();
@@ -285,7 +285,7 @@ TEST_F(CutPlugin, GivesOnlyWhatTheLastRunMade) {
             "There is no mesh 0: 0 were made by the last run that gave meshes.");
 }
 
-TEST_F(CutPlugin, SaysWhatTheDriverSaysOfBadInput) {
+TEST_F(CutPlugin, RefusesBadInput) {
   host::Curve wrong;
   wrong.vertices = {0, 700, 3};
   EXPECT_NE(sentence_of([&] { instance.set_curves({wrong}); }).find("0 and 700"),
@@ -419,7 +419,7 @@ struct RepairPlugin : OnHills {
   }
 };
 
-TEST_F(RepairPlugin, MakesASurfaceAndTellsTheNewNumberOfEverything) {
+TEST_F(RepairPlugin, MakesASurfaceAndTellsTheNewNumberOfEachElement) {
   const MeshLists lists = broken();
   test::set_mesh(instance, lists);
   std::vector<double> faces;
@@ -436,8 +436,19 @@ TEST_F(RepairPlugin, MakesASurfaceAndTellsTheNewNumberOfEverything) {
   EXPECT_EQ(instance.attributes(0).at(0).values,
             std::vector<double>(origin.triangles.begin(), origin.triangles.end()));
   ASSERT_EQ(results.fields.size(), 2U);
-  EXPECT_EQ(results.fields[0].values.size(), lists.points.size());
-  EXPECT_EQ(results.fields[1].values[lists.triangles.size() - 1], -1);
+  const std::vector<double>&vertices = results.fields[0].values,
+        &triangles = results.fields[1].values;
+  ASSERT_EQ(vertices.size(), lists.points.size());
+  ASSERT_EQ(triangles.size(), lists.triangles.size());
+  EXPECT_EQ(triangles.back(), -1);  // the face without area
+  for (std::size_t f = 0; f < origin.triangles.size(); ++f) {
+    EXPECT_EQ(triangles[origin.triangles[f]], static_cast<double>(f)) << f;
+  }
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    ASSERT_GE(vertices[v], 0) << v;  // the copy of a vertex is welded
+    const auto& at = mesh.positions.at(static_cast<std::size_t>(vertices[v]));
+    EXPECT_EQ(Point(at[0], at[1], at[2]), lists.points[v]) << v;
+  }
   // What comes out can be opened.
   host::Instance draw(test::plugin_of_this_build("talweg.draw"), services);
   draw.set_mesh(host::view(mesh.positions.front().data(), mesh.positions.size(), 3),

@@ -104,7 +104,7 @@ TEST(MidpointsPlugin, KeepsAStraightLineAndItsEnds) {
   EXPECT_NEAR(results.number("deviation_to_drawn_max"), 0, 1e-12);
 }
 
-TEST(MidpointsPlugin, SaysWhatIsWrongWithAParameter) {
+TEST(MidpointsPlugin, RefusesInvalidParameters) {
   OnMesh on("talweg.midpoints", test::grid(4, 4));
   EXPECT_THROW(on.instance.set("spacing", 0.0), host::Error);
   on.instance.set("spacing", 1e-9);  // more points than memory has room for
@@ -238,7 +238,7 @@ TEST(EnvelopePlugin, CurvesDoNotPassEachOtherAndPinsStay) {
   EXPECT_NEAR(results.number("length_after", 1), 26, 1e-3);
 }
 
-TEST(EnvelopePlugin, SaysWhatIsWrongWithAParameter) {
+TEST(EnvelopePlugin, RefusesInvalidParameters) {
   OnMesh on("talweg.envelope", test::grid(4, 4));
   EXPECT_THROW(on.instance.set("envelope", 0.0), host::Error);
   EXPECT_THROW(on.instance.set("weight", 1.5), host::Error);

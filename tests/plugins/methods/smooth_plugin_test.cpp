@@ -216,7 +216,7 @@ TEST_F(SmoothPlugin, TakesFieldsPerVertex) {
   expect_same(smooth_.run(), smoother.smooth(1));
 }
 
-TEST_F(SmoothPlugin, ReportsWhatTheLibraryReports) {
+TEST_F(SmoothPlugin, HasTheReportOfTheLibrary) {
   smooth_.set_curves({subject_.curve});
   const SmoothingResult library = by_library({});
   const host::Results results = smooth_.run();
@@ -333,7 +333,7 @@ TEST_F(SmoothPlugin, AnotherInstanceTakesTheMesh) {
   EXPECT_THROW(smooth_.run(), host::Error);  // the curves went with the mesh
 }
 
-TEST_F(SmoothPlugin, SaysWhatIsWrong) {
+TEST_F(SmoothPlugin, RefusesBadUse) {
   const auto sentence = [](const auto& call) {
     try {
       call();
@@ -383,12 +383,16 @@ TEST_F(SmoothPlugin, SeveralCurvesHaveSeveralReports) {
   EXPECT_EQ(results.number("points_before", 1), 4);
 }
 
-TEST_F(SmoothPlugin, PreviewsWhileACurveIsDragged) {
-  const SurfaceMesh& mesh = subject_.opened->mesh();
+/// The subject's curve with a part dragged aside.
+SurfaceCurve dragged_aside(const Surface& surface) {
   const std::uint32_t way[] = {20 * 41 + 2,  26 * 41 + 8,  24 * 41 + 14, 14 * 41 + 20,
                                16 * 41 + 27, 25 * 41 + 33, 23 * 41 + 38};
-  const SurfaceCurve moved =
-      test::vertex_curve(mesh.surface(), draw_edge_path(mesh.surface(), test::ids(way)), false);
+  return test::vertex_curve(surface, draw_edge_path(surface, test::ids(way)), false);
+}
+
+TEST_F(SmoothPlugin, PreviewsWhileACurveIsDragged) {
+  const SurfaceMesh& mesh = subject_.opened->mesh();
+  const SurfaceCurve moved = dragged_aside(mesh.surface());
   const host::Curve moved_curve = test::as_host_curve(mesh, moved);
   CurveSmoother smoother(subject_.opened);
   smoother.set_curve(subject_.drawn);
@@ -434,12 +438,17 @@ TEST_F(SmoothPlugin, PreviewsOfMoreThanOneChangeAreWhole) {
 
 TEST_F(SmoothPlugin, PreviewsUseTheSlackThatTheBoundLedTo) {
   smooth_.set_curves({subject_.curve});
+  const double default_slack = smooth_.run().number("slack");
   smooth_.set("max_deviation", 1.0);
   const host::Results found = smooth_.run();
+  EXPECT_NE(found.number("slack"), default_slack);
   smooth_.set("preview", 1.0);
-  const host::Results same = smooth_.run();
-  EXPECT_EQ(same.number("tau"), found.number("tau"));
-  EXPECT_EQ(same.number("slack"), found.number("slack"));
+  const SurfaceMesh& mesh = subject_.opened->mesh();
+  smooth_.set_curves({test::as_host_curve(mesh, dragged_aside(mesh.surface()))});
+  const host::Results preview = smooth_.run();
+  EXPECT_EQ(preview.text("engine"), "preview");
+  EXPECT_EQ(preview.number("tau"), found.number("tau"));
+  EXPECT_EQ(preview.number("slack"), found.number("slack"));
 }
 
 }  // namespace

@@ -102,17 +102,21 @@ TEST_F(WayPointsPlugin, DrawingMarksThePointsThatWereGiven) {
   EXPECT_TRUE(same_bits(rough, drawn_));
 }
 
-TEST_F(WayPointsPlugin, DrawingKeepsWhatTheGivenPointsAre) {
+TEST_F(WayPointsPlugin, DrawingKeepsTheMarksOfTheGivenPoints) {
   host::Curve given = clicks_;
   given.exact = {0.5, TALWEG_MARK_PAINTED, 0};
   draw_.set_curves({given});
   const host::Curve curve = draw_.run().curves.at(0);
+  ASSERT_EQ(curve.exact.size(), curve.vertices.size());
   for (std::size_t k = 0; k < curve.exact.size(); ++k) {
     const std::uint32_t v = curve.vertices[k];
     EXPECT_EQ(curve.exact[k], v == 200    ? 0.5
                               : v == 760  ? TALWEG_MARK_PAINTED
                               : v == 1500 ? 0
                                           : TALWEG_MARK_NONE);
+  }
+  for (const std::uint32_t v : clicks_.vertices) {
+    EXPECT_EQ(std::count(curve.vertices.begin(), curve.vertices.end(), v), 1) << v;
   }
 }
 
