@@ -134,7 +134,7 @@ MeshLists read_freesurfer_mesh(const MeshFile& file, MeshAttributes* attributes)
     read_quads(bytes, magic == kFloatQuads, lists);
   } else {
     bytes.fail(fmt::format(
-        "it is not a surface of FreeSurfer: expected it to begin with FFFFFE (triangles), "
+        "the file is not a surface of FreeSurfer: expected it to begin with FFFFFE (triangles), "
         "FFFFFF or FFFFFD (quads), found {:06X}",
         magic));
   }

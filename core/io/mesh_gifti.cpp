@@ -25,8 +25,9 @@ constexpr std::string_view kLabelsIntent = "NIFTI_INTENT_LABEL";
 const GiftiArray& array_of_three(const Source& source, const Gifti& file, std::string_view intent) {
   const GiftiArray* array = file.first(intent);
   if (array == nullptr) {
-    cannot_read(source.path, fmt::format("it is not a surface: expected an array {}, found {}",
-                                         intent, file.held()));
+    cannot_read(source.path,
+                fmt::format("the file is not a surface: expected an array {}, found {}", intent,
+                            file.held()));
   }
   if (array->columns != 3) {
     file.fail(array->node, fmt::format("expected {} x 3 numbers, found {} x {}", array->rows,

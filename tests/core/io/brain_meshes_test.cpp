@@ -169,7 +169,7 @@ TEST(Gifti, MalformedFilesAreRefused) {
   expect_bad_mesh("a.gii", "no xml", {"XML"});
   expect_bad_mesh("a.gii", "<VTKFile/>", {"<GIFTI>"});
   expect_bad_mesh("a.gii", gifti(points), {"NIFTI_INTENT_TRIANGLE", "POINTSET of 4 x 3"});
-  expect_bad_mesh("a.label.gii", gifti(""), {"no surface", "found nothing"});
+  expect_bad_mesh("a.label.gii", gifti(""), {"not a surface", "found nothing"});
   expect_bad_mesh("a.gii", gifti(points + triangles_array("ASCII", "0 2 1 0 1 3 1 2 3 2 0 4")),
                   {"line 10", "face 3", "vertex 4", "there are 4"});
   expect_bad_mesh("a.gii", gifti(points + triangles_array("ASCII", "0 2 1 0 1 3 1 2 3 2 0 -1")),
@@ -249,7 +249,7 @@ TEST(FreeSurferSurface, MalformedFilesAreRefused) {
   for (std::size_t size = 1; size < whole.size(); ++size) {
     expect_bad_mesh("lh.white", whole.substr(0, size), {});
   }
-  expect_bad_mesh("lh.white", "OFF\n", {"no surface of FreeSurfer", "4F4646"});
+  expect_bad_mesh("lh.white", "OFF\n", {"not a surface of FreeSurfer", "4F4646"});
   const std::string head = "\xFF\xFF\xFE\n\n";
   expect_bad_mesh("lh.pial", head + big_endian({2'000'000'000, 4}) + "0000", {"2000000000"});
   expect_bad_mesh("lh.pial", head + big_endian({-1, 4}), {"-1 vertices"});
