@@ -7,9 +7,9 @@
 
 namespace talweg {
 
-/// Keeps the chain's crossings of edges, and enough of its samples that no turn exceeds 5 degrees
-/// (if samples are close enough) and that points with turns of more than 1 degree have neighbours
-/// at about `edge` / 2 or less (`edge` in mesh units). Corners are exempt. The curve bends by about
+/// Keeps the chain's crossings of edges, and further samples beside turns of more than 4.5 degrees
+/// inside faces, and beside turns of more than 1 degree if the next point lies farther than about
+/// `edge` / 2 (`edge` in mesh units). Corners are exempt. The curve bends by about
 /// as much as the chain. O(n log n) for n samples and crossings as a rule: each round halves the
 /// parts that turn too much.
 SurfaceCurve curve_of(const Surface& surface, ChainMaker& maker, const SampleChain& chain,

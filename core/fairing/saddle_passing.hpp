@@ -25,8 +25,8 @@ class SaddlePassing {
  private:
   /// The replacement of a point at a vertex: points beside the vertex, 1/100 as far from it as the
   /// nearer neighbour, on the side where the curve turns less. The point itself at the boundary,
-  /// where the turn does not decrease, and where the new turn exceeds 3.5 degrees and half the old
-  /// turn.
+  /// where the turn does not decrease by more than half a degree, and where the new turn
+  /// exceeds 3.5 degrees and half the old turn.
   std::vector<SurfacePoint> beside(const SurfacePoint& before, VertexId vertex,
                                    const SurfacePoint& after);
 
