@@ -54,7 +54,7 @@ std::string mesh_units_text(double length, int digits) {
 
 std::string bounds_text(double least, double most) {
   constexpr int kDigits = 6;
-  const std::string at_least = "at least " + length_text(least, kDigits);
+  std::string at_least = "at least " + length_text(least, kDigits);
   if (std::isinf(most)) return at_least;
   const std::string at_most = "at most " + length_text(most, kDigits);
   return least >= kLeastFraction * most ? at_most + " and " + at_least : at_most;
